@@ -127,15 +127,16 @@ struct NeoHookean {
     Response<dim> r;
     const Symmetric<dim> inverse = symmetric<dim>(inverse_C);
     const double ln = 0.5 * std::log1p(square), J = std::sqrt(1 + square);
+    const double left = g(J) - mu;  // of the inverse
     r.energy = 0.5 * mu * (trace - 2 * ln) + U(ln, square);
-    r.S = (g(J) - mu) * inverse;
+    r.S = left * inverse;
     r.S.template head<dim>().array() += mu;
     r.D = J * g_slope(J) * inverse * inverse.transpose();
     constexpr int first[] = {0, 1, dim == 2 ? 0 : 2, 0, 1, 0}, second[] = {0, 1, dim == 2 ? 1 : 2, 1, 2, 2};
     for (int a = 0; a < component_count<dim>(); ++a) {
       for (int b = 0; b < component_count<dim>(); ++b) {
         const int i = first[a], j = second[a], k = first[b], l = second[b];
-        r.D(a, b) += (mu - g(J)) * (inverse_C(i, k) * inverse_C(j, l) + inverse_C(i, l) * inverse_C(j, k));
+        r.D(a, b) -= left * (inverse_C(i, k) * inverse_C(j, l) + inverse_C(i, l) * inverse_C(j, k));
       }
     }
     return r;
