@@ -24,17 +24,17 @@ Eigen::VectorXd smallest_solution(const Eigen::MatrixXd& A, const Eigen::VectorX
 
 Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& A) { return A.completeOrthogonalDecomposition().pseudoInverse(); }
 
-Eigen::MatrixXd convex_part(const Eigen::MatrixXd& A) {
-  const Eigen::MatrixXd symmetric = 0.5 * (A + A.transpose());
-  if (is_convex(symmetric)) return symmetric;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(symmetric);
-  if (parts.eigenvalues()[0] >= 0) return symmetric;
-  return parts.eigenvectors() * parts.eigenvalues().cwiseMax(0).asDiagonal() * parts.eigenvectors().transpose();
-}
-
 EigenParts eigen_parts(const Eigen::MatrixXd& A) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> parts(A);
   return {parts.eigenvalues(), parts.eigenvectors()};
+}
+
+Eigen::MatrixXd convex_part(const Eigen::MatrixXd& A) {
+  const Eigen::MatrixXd symmetric = 0.5 * (A + A.transpose());
+  if (is_convex(symmetric)) return symmetric;
+  const EigenParts parts = eigen_parts(symmetric);
+  if (parts.values[0] >= 0) return symmetric;
+  return parts.vectors * parts.values.cwiseMax(0).asDiagonal() * parts.vectors.transpose();
 }
 
 Eigen::Index rank(const Eigen::MatrixXd& A, double threshold) {
