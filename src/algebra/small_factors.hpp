@@ -19,7 +19,7 @@ class SmallFactors {
   bool factorise(const Eigen::SparseMatrix<double>& A);
   /// x of A x = b, a column each.
   Eigen::MatrixXd solve(const Eigen::MatrixXd& b) const;
-  /// The same of one column, into an x of its size.
+  /// Sets an x of its size to that of one column.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
  private:

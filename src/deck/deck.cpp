@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
-#include "deck/elements.hpp"
 #include "deck/opener.hpp"
 #include "deck/spelling.hpp"
 
@@ -165,8 +164,8 @@ std::string Deck::line_text(const Place& place) const {
 Diagnostic Deck::remark(Severity severity, AnyVariable variable, Subscript at, std::string message,
                         std::string hint) const {
   const auto where = place(variable, at[0], at[1]);
-  const bool moot =
-      severity == Severity::error && !given(variable, at[0], at[1]) && contents_.failed.count(key_of(variable.row())) > 0;
+  const bool moot = severity == Severity::error && !given(variable, at[0], at[1]) &&
+                    contents_.failed.count(key_of(variable.row())) > 0;
   return {severity, where, line_text(where), std::move(message), std::move(hint), moot};
 }
 

@@ -68,12 +68,6 @@ Subscript Elements::at(long long k) const {
   return {static_cast<int>(first[0] + i * step[0]), static_cast<int>(first[1] + j * step[1])};
 }
 
-std::string key_of(const Variable& variable) {
-  std::string key(variable.group);
-  key += '.';
-  return key += variable.name;
-}
-
 std::string element_name(const Variable& variable, Subscript at) {
   if (variable.rank == 0) return std::string(variable.name);
   if (variable.rank == 1) return fmt::format("{}({})", variable.name, at[0]);

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "deck/parser.hpp"
 #include "deck/table.hpp"
@@ -20,9 +19,6 @@ struct Elements {
   long long count() const { return counts[0] * counts[1] - skipped; }
   Subscript at(long long k) const;  ///< the k-th, from 0; k < count()
 };
-
-/// "mpm.cfl": under this name a deck's values are kept. Made often: a sweep reads its deck for each run.
-std::string key_of(const Variable& variable);
 
 /// "nx", "rix(2)", "xvi(1,2)".
 std::string element_name(const Variable& variable, Subscript at);

@@ -12,6 +12,12 @@ AnyVariable::AnyVariable(std::string_view group, std::string_view name) : row_(f
 
 AnyVariable AnyVariable::with(std::string_view ending) const { return {group(), fmt::format("{}{}", name(), ending)}; }
 
+std::string key_of(const Variable& variable) {
+  std::string key(variable.group);
+  key += '.';
+  return key += variable.name;
+}
+
 std::vector<std::string> group_names() {
   std::vector<std::string> names;
   for (const auto& variable : variables()) {

@@ -60,6 +60,9 @@ constexpr const Variable* find_variable(std::string_view group, std::string_view
   return k < variable_table.size() ? &variable_table[k] : nullptr;
 }
 
+/// "mpm.cfl": under this name a deck's values are kept. It is made often, as a sweep reads its deck for each run.
+std::string key_of(const Variable& variable);
+
 /// All groups, in the order of the table.
 std::vector<std::string> group_names();
 bool is_group(std::string_view name);
