@@ -178,8 +178,7 @@ double squared_distance_of(const PairVectors<dim, vector_count(kind)>& r) {
 /// The fastest that any place of one comes to any place of the other: an edge's places go between its ends' ways.
 template <PairKind kind, int dim>
 double fastest(const ContactPair& pair, std::span<const double> ways) {
-  using Vector = Eigen::Matrix<double, dim, 1>;
-  const auto way = [&](int k) { return Eigen::Map<const Vector>(&ways[at(pair.places[at(k)]) * dim]); };
+  const auto way = [&](int k) { return column_at<dim>(&ways[at(pair.places[at(k)]) * dim]); };
   constexpr int first = kind == PairKind::edges ? 2 : 1;
   double most = 0;
   for (int a = 0; a < first; ++a) {

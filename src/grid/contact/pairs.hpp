@@ -76,10 +76,10 @@ double squared_distance(const ContactPair& pair, int dim, std::span<const double
 
 /// The vectors of a pair with its places at x.
 template <PairKind kind, int dim>
-PairVectors<dim, vector_count(kind)> vectors_of(const ContactPair& pair, std::span<const double> x) {
-  using Vector = Eigen::Matrix<double, dim, 1>;
+[[gnu::always_inline]] inline PairVectors<dim, vector_count(kind)> vectors_of(const ContactPair& pair,
+                                                                              std::span<const double> x) {
   const auto place = [&](int k) {
-    return Eigen::Map<const Vector>(&x[static_cast<std::size_t>(pair.places[static_cast<std::size_t>(k)]) * dim]);
+    return column_at<dim>(&x[static_cast<std::size_t>(pair.places[static_cast<std::size_t>(k)]) * dim]);
   };
   PairVectors<dim, vector_count(kind)> r;
   if constexpr (kind == PairKind::edges) {
@@ -93,18 +93,18 @@ PairVectors<dim, vector_count(kind)> vectors_of(const ContactPair& pair, std::sp
 
 /// Returns by which sums of its places' ways the vectors of a pair change: a row a vector, a column a place.
 template <PairKind kind>
-Eigen::Matrix<double, vector_count(kind), vector_count(kind) + 1> vectors_by_places() {
-  Eigen::Matrix<double, vector_count(kind), vector_count(kind) + 1> by = decltype(by)::Zero();
+SmallMatrix<vector_count(kind), vector_count(kind) + 1> vectors_by_places() {
   if constexpr (kind == PairKind::edges) {
-    by << -1, 0, 1, 0,  //
-        -1, 1, 0, 0,    //
-        0, 0, -1, 1;
+    return {-1., 0., 1.,  0.,  //
+            -1., 1., 0.,  0.,  //
+            0.,  0., -1., 1.};
   } else {
-    by.col(1).setConstant(-1);
+    SmallMatrix<vector_count(kind), vector_count(kind) + 1> by = decltype(by)::Zero();
     by(0, 0) = 1;
+    for (int k = 0; k < vector_count(kind); ++k) by(k, 1) = -1;
     for (int k = 1; k < vector_count(kind); ++k) by(k, k + 1) = 1;
+    return by;
   }
-  return by;
 }
 
 /// Calls f with the dimension as a constant.

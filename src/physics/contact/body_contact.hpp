@@ -63,8 +63,8 @@ class BodyContact {
   struct PlaceForces {
     std::array<int, 4> places{-1, -1, -1, -1};
     int count = 0;
-    Eigen::Matrix<double, dim, 4> force;
-    Eigen::Matrix<double, 4 * dim, 4 * dim> slope;
+    SmallMatrix<dim, 4> force;
+    SmallMatrix<4 * dim, 4 * dim> slope;
     double energy = 0, pressing = 0, rubbing = 0, rubbed = 0, slid = 0;
   };
 

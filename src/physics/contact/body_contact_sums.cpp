@@ -22,7 +22,7 @@ template <int dim>
 class SideMatrix {
  public:
   /// Adds a block of two places to those of the nodes that carry them.
-  void add(const CarriedPlaces& places, int row, int column, const Eigen::Matrix<double, dim, dim>& block) {
+  void add(const CarriedPlaces& places, int row, int column, const SmallMatrix<dim, dim>& block) {
     const auto rows = places.nodes(row), columns = places.nodes(column);
     const auto row_shares = places.shares(row), column_shares = places.shares(column);
     for (std::size_t a = 0; a < rows.size(); ++a) {
@@ -30,7 +30,10 @@ class SideMatrix {
       for (std::size_t b = 0; b < columns.size(); ++b) {
         const Eigen::Index j = dim * number_of(columns[b]);
         if (std::max(i, j) >= matrix_.rows()) grow();
-        matrix_.template block<dim, dim>(i, j) += row_shares[a] * column_shares[b] * block;
+        const double share = row_shares[a] * column_shares[b];
+        for (int k = 0; k < dim; ++k) {
+          for (int l = 0; l < dim; ++l) matrix_(i + l, j + k) += share * block(l, k);
+        }
       }
     }
   }
@@ -79,8 +82,8 @@ class SideMatrix {
 
 template <int dim>
 void BodyContact::find_forces(const PairRule& rule, const Active& active, PlaceForces<dim>& forces) const {
-  forces.force.setZero();
-  if (rule.with_slopes) forces.slope.setZero();
+  forces.force = decltype(forces.force)::Zero();
+  if (rule.with_slopes) forces.slope = decltype(forces.slope)::Zero();
   const auto note = [&](const auto& found) {
     forces.pressing = found.pressing, forces.rubbing = found.rubbing, forces.rubbed = found.rubbed;
   };
@@ -90,7 +93,7 @@ void BodyContact::find_forces(const PairRule& rule, const Active& active, PlaceF
     const PairScale scale = scale_of(point, is_guard(active.number));
     const auto found = plane_force<dim>(rule, scale, contact_.planes[tether::at(active.plane)], &x0_[x], &x1_[x]);
     forces.places = {point.place, -1, -1, -1}, forces.count = 1, forces.force.col(0) = found.force;
-    if (rule.with_slopes) forces.slope.template topLeftCorner<dim, dim>() = found.slope;
+    if (rule.with_slopes) forces.slope.template block<dim, dim>(0, 0) = found.slope;
     forces.energy = scale.strength * barrier(active.s1 / scale.gap2);
     forces.slid = 0;
     return note(found);
@@ -106,7 +109,7 @@ void BodyContact::find_forces(const PairRule& rule, const Active& active, PlaceF
     const auto found = pair_force<kind, dim>(own, scale, r0, r1, active.s0, active.s1);
     const auto by = vectors_by_places<kind>();
     forces.places = pair.places, forces.count = count + 1;
-    forces.force.template leftCols<count + 1>() = found.force * by;
+    forces.force.template block<dim, count + 1>(0, 0) = found.force * by;
     forces.energy = pair_energy<kind, dim>(scale, r1, active.s1);
     note(found);
     forces.slid = own.damped && active.s1 < scale.gap2 ? found.slid : 0;
@@ -144,8 +147,7 @@ void BodyContact::add_forces(std::span<const double> q1, std::span<double> f) {
     constexpr int dim = decltype(d)::value;
     each_force<dim>(false, [&](std::size_t, const PlaceForces<dim>& forces) {
       for (int p = 0; p < forces.count; ++p)
-        Eigen::Map<Eigen::Matrix<double, dim, 1>>(&place_forces_[tether::at(forces.places[tether::at(p)]) * dim]) +=
-            forces.force.col(p);
+        column_at<dim>(&place_forces_[tether::at(forces.places[tether::at(p)]) * dim]) += forces.force.col(p);
     });
   });
   surface_.places.add_to_nodes(place_forces_, f);

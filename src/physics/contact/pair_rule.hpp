@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/Core>
-
 #include "grid/contact/pair_distance.hpp"
 
 namespace tether::contact {
@@ -28,21 +26,26 @@ struct PairScale {
 template <int dim, int count>
 struct PairForce {
   PairVectors<dim, count> force = PairVectors<dim, count>::Zero();
-  Eigen::Matrix<double, dim * count, dim* count> slope = decltype(slope)::Zero();
+  SmallMatrix<dim * count, dim* count> slope = decltype(slope)::Zero();
   double pressing = 0;  ///< size of the force across [force]
   double rubbed = 0;    ///< that friction takes in the step [energy]
   double slid = 0;      ///< way of the nearest places past each other, where it was asked [length]
   double rubbing = 0;   ///< size of the friction [force]
 };
 
-/// The derivative of products by vectors: column g_ij has r_j for vector i and r_i for vector j.
-template <int dim, int count>
-Eigen::Matrix<double, dim * count, product_count<count>> products_by_vectors(const PairVectors<dim, count>& r) {
-  Eigen::Matrix<double, dim * count, product_count<count>> by = decltype(by)::Zero();
+/// Returns the derivatives of numbers by vectors, a row a number, from those by the vectors' products: g_ij = r_i . r_j
+/// changes by r_j with vector i and by r_i with vector j.
+template <int dim, int count, class A, int rows>
+SmallMatrix<rows, dim * count> by_vectors(const MatrixEntries<A, rows, product_count<count>>& by_products,
+                                          const PairVectors<dim, count>& r) {
+  auto by = SmallMatrix<rows, dim * count>::Zero();
   for (int i = 0; i < count; ++i) {
-    for (int j = i; j < count; ++j) {
-      by.template block<dim, 1>(i * dim, product_at(count, i, j)) += r.col(j);
-      by.template block<dim, 1>(j * dim, product_at(count, i, j)) += r.col(i);
+    for (int j = 0; j < count; ++j) {
+      const int product = product_at(count, i, j);
+      for (int k = 0; k < dim; ++k) {
+        const double change = i == j ? 2 * r(k, i) : r(k, j);
+        for (int row = 0; row < rows; ++row) by(row, i * dim + k) += by_products(row, product) * change;
+      }
     }
   }
   return by;

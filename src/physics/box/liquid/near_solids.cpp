@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.hpp"
-#include "grid/contact/pair_distance.hpp"
+#include "grid/contact/distance_slopes.hpp"
 #include "physics/box/liquid/particles.hpp"
 
 namespace tether::liquid {
@@ -49,7 +49,7 @@ namespace {
 /// place and to the other corners.
 Vec<3> shares_on_triangle(const PairVectors<3, 3>& r) {
   const Products<3> products = products_of<3, 3>(r);
-  const Eigen::Vector3d parts = nearest_way(products, nearest_on_triangle(products)).parts;
+  const SmallMatrix<3, 1> parts = nearest_way(products, nearest_on_triangle(products)).parts;
   return {1 + parts[1] + parts[2], -parts[1], -parts[2]};
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "grid/contact/distance_slopes.hpp"
 #include "grid/contact/pairs.hpp"
 
 namespace tether {
@@ -16,7 +17,9 @@ template <int count>
 PairVectors<3, count> random_vectors(std::mt19937& random) {
   std::uniform_real_distribution<double> side(-1, 1);
   PairVectors<3, count> r;
-  for (int k = 0; k < 3 * count; ++k) r(k) = side(random);
+  for (int j = 0; j < count; ++j) {
+    for (int i = 0; i < 3; ++i) r(i, j) = side(random);
+  }
   return r;
 }
 
@@ -34,7 +37,7 @@ double least_of_samples(const PairVectors<3, vector_count(kind)>& r) {
   for (int i = 0; i <= parts; ++i) {
     for (int j = 0; j <= (kind == PairKind::edge ? 0 : kind == PairKind::triangle ? parts - i : parts); ++j) {
       const double s = static_cast<double>(i) / parts, t = static_cast<double>(j) / parts;
-      Eigen::Vector3d way = r.col(0) - s * r.col(1);
+      SmallMatrix<3, 1> way = r.col(0) - s * r.col(1);
       if constexpr (kind == PairKind::triangle) way -= t * r.col(2);
       if constexpr (kind == PairKind::edges) way += t * r.col(2);
       least = std::min(least, way.norm());

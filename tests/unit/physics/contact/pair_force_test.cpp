@@ -21,12 +21,14 @@ struct RandomPair {
       for (int j = 1; j < count; ++j) {
         for (int i = 0; i < dim; ++i) r0(i, j) = side(random);
       }
-      r0.col(0).setZero();
+      r0.col(0) = SmallMatrix<dim, 1>::Zero();
       for (int j = 1; j < count; ++j)
         r0.col(0) += (kind == PairKind::edges && j == 2 ? -1 : 1) * along(random) * r0.col(j);
       for (int i = 0; i < dim; ++i) r0(i, 0) += 0.2 * side(random);
       r1 = r0;
-      for (int k = 0; k < dim * count; ++k) r1(k) += way * side(random);
+      for (int j = 0; j < count; ++j) {
+        for (int i = 0; i < dim; ++i) r1(i, j) += way * side(random);
+      }
     } while (distance(r0) < 0.01 || distance(r1) < 0.01);
   }
   static double distance(const PairVectors<dim, count>& r) {
@@ -47,7 +49,8 @@ void keeps_energy_and_turns_nothing() {
     for (int k = 0; k < 400; ++k) {
       const RandomPair<kind, dim> pair(random, way);
       const auto force = pair.force({}, pair.r1).force;
-      const double work = (force.array() * (pair.r1 - pair.r0).array()).sum();
+      double work = 0;
+      for (int j = 0; j < vector_count(kind); ++j) work += force.col(j).dot(pair.r1.col(j) - pair.r0.col(j));
       const double stored = pair.energy(pair.r1) - pair.energy(pair.r0);
       const double size = force.norm() * (1 + way);
       EXPECT_NEAR(work, stored, 1e-12 * (size + pair.energy(pair.r0) + pair.energy(pair.r1))) << way;
@@ -84,13 +87,13 @@ void has_its_derivative(const PairRule& given) {
       if (at.pressing == 0) continue;
       ++pressing;
       rule.with_slopes = false;
-      Eigen::Matrix<double, unknowns, unknowns> slope;
+      SmallMatrix<unknowns, unknowns> slope;
       constexpr double h = 1e-6;
       for (int j = 0; j < unknowns; ++j) {
         PairVectors<dim, count> more = pair.r1, less = pair.r1;
-        more(j) += h, less(j) -= h;
+        more(j % dim, j / dim) += h, less(j % dim, j / dim) -= h;
         const PairVectors<dim, count> change = (pair.force(rule, more).force - pair.force(rule, less).force) / (2 * h);
-        slope.col(j) = Eigen::Map<const Eigen::Matrix<double, unknowns, 1>>(change.data());
+        slope.col(j) = column_at<unknowns>(change.data());
       }
       wrong += (slope - at.slope).norm() > 2e-5 * slope.norm() ? 1 : 0;
     }
