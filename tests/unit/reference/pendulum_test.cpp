@@ -10,7 +10,7 @@
 namespace tether {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The rows of Box 7: from (0.33333, 0.9999) to (0.101, 0.303), at 18.44 degrees.
 const Pendulum rows{std::hypot(0.23233, 0.6969), 20, std::atan2(0.23233, 0.6969)};

@@ -9,7 +9,7 @@
 namespace tether {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Thesis 6.1.2.
 Piston thesis_piston(double mass) { return {mass, 100, 1, 20, 1e-4, 1.58e6}; }

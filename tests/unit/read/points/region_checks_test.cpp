@@ -11,7 +11,7 @@
 namespace tether::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Polygon box(double x0, double x1, double y0, double y1) { return {{x0, x1, x1, x0}, {y0, y0, y1, y1}}; }
 
