@@ -109,7 +109,7 @@ void expect_that_nothing_comes_through(int dim, Advection advection, bool left_s
     for (int i = 3; i < 5; ++i) close_face(domain, 1, {i, 3, k});
   }
   const auto sees = [&](int axis, std::size_t f) {
-    const Place x = place_of(domain.grid, axis, f);
+    const Place x = middle_of_face(domain.grid, axis, f);
     const bool left = x[0] < (x[1] < 0.3751 ? 0.376 : 0.626);
     return left == left_sees && domain.face[static_cast<std::size_t>(axis)][f] != FaceKind::closed;
   };

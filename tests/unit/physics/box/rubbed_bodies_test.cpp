@@ -179,7 +179,7 @@ Torque torque(int n) {
   const FaceValues flow = support::faces_of(grid, exact);
   for (int axis = 0; axis < 2; ++axis) {
     for (std::size_t f = 0; f < v[at(axis)].size(); ++f) {
-      const auto x = support::place_of(grid, axis, f);
+      const auto x = support::middle_of_face(grid, axis, f);
       const double r = std::hypot(x[0] - 0.5, x[1] - 0.5);
       if (domain.face[at(axis)][f] == FaceKind::open && r > a && r < b)
         result.velocity_error = std::max(result.velocity_error, std::abs(v[at(axis)][f] - flow[at(axis)][f]) / a);

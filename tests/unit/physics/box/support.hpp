@@ -18,7 +18,7 @@ inline StaggeredGrid unit_box(int dim, int n) {
   return grid;
 }
 
-inline std::array<double, 3> place_of(const StaggeredGrid& grid, int axis, std::size_t face) {
+inline std::array<double, 3> middle_of_face(const StaggeredGrid& grid, int axis, std::size_t face) {
   const auto f = grid.place_of_face(axis, face);
   std::array<double, 3> x{};
   for (int b = 0; b < grid.dim; ++b) {
@@ -76,7 +76,7 @@ FaceValues faces_of(const StaggeredGrid& grid, const Velocity& velocity) {
   FaceValues v = face_values(grid);
   for (int axis = 0; axis < grid.dim; ++axis) {
     const auto a = static_cast<std::size_t>(axis);
-    for (std::size_t f = 0; f < v[a].size(); ++f) v[a][f] = velocity(place_of(grid, axis, f))[a];
+    for (std::size_t f = 0; f < v[a].size(); ++f) v[a][f] = velocity(middle_of_face(grid, axis, f))[a];
   }
   return v;
 }

@@ -46,7 +46,7 @@ class Liquid {
     double all = 0;
     for (int axis = 0; axis < domain_.grid.dim; ++axis) {
       for (std::size_t face = 0; face < v[at(axis)].size(); ++face)
-        all += mass(axis, face) * f(axis, place_of(domain_.grid, axis, face), v[at(axis)][face]);
+        all += mass(axis, face) * f(axis, middle_of_face(domain_.grid, axis, face), v[at(axis)][face]);
     }
     return all;
   }

@@ -13,7 +13,7 @@ using namespace curves;
 
 /// An arc of radius .4 that looks in a direction, its points' middle in the cell's.
 Curve arc_in_cell(double towards, double span, int count) {
-  Curve curve = arc(0, 0, 0.4, towards - span / 2, towards + span / 2, count);
+  Curve curve = arc_curve(0, 0, 0.4, towards - span / 2, towards + span / 2, count);
   double mean_x = 0, mean_y = 0;
   for (int k = 0; k < count; ++k) mean_x += curve.x[k] / count, mean_y += curve.y[k] / count;
   for (int k = 0; k < count; ++k) curve.x[k] += 0.5 - mean_x, curve.y[k] += 0.5 - mean_y;
@@ -70,7 +70,7 @@ double on_circles(double radius, double per_side, const Setting& s, double scatt
   const int places = 8;
   for (int k = 0; k < places; ++k) {
     const int count = static_cast<int>(2 * std::numbers::pi * radius * per_side);
-    Curve curve = arc(0.137 * k, 0.291 * k, radius, 0, 360, count);
+    Curve curve = arc_curve(0.137 * k, 0.291 * k, radius, 0, 360, count);
     for (std::size_t p = 0; p < curve.size(); ++p) curve.x[p] += scatter * std::sin(1e4 * (p + 0.1 * k));
     sum += std::pow(rms(errors(curve, s)), 2) / places;
   }

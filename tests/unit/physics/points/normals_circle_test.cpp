@@ -15,7 +15,7 @@ constexpr int quarter_points = 40;  // of the membrane
 
 /// The circle and the fluid in it, so many points a cell's side.
 Curve filled_circle(bool whole, int per_side) {
-  Curve curve = arc(0, 0, 1, 0, whole ? 360 : 90, whole ? 4 * quarter_points : quarter_points);
+  Curve curve = arc_curve(0, 0, 1, 0, whole ? 360 : 90, whole ? 4 * quarter_points : quarter_points);
   const double h = 0.1 / per_side;
   for (int b = whole ? -15 * per_side : 0; b < 15 * per_side; ++b) {
     for (int a = whole ? -15 * per_side : 0; a < 15 * per_side; ++a) {

@@ -27,14 +27,14 @@ std::vector<double> errors_from_afar(const Curve& curve, const Setting& s) {
 }
 
 TEST(MassMatrixLines, At45DegreesIsExact) {
-  const Curve curve = line(0.5, 0.5, 45, {-0.5, -0.3, -0.1, 0.1, 0.3, 0.5});
+  const Curve curve = line_curve(0.5, 0.5, 45, {-0.5, -0.3, -0.1, 0.1, 0.3, 0.5});
   for (const auto& [rule, scope] : matrices) {
     EXPECT_LT(largest(errors_from_afar(curve, setting(rule, scope))), 1e-10);
   }
 }
 
 TEST(MassMatrixLines, At80DegreesUnevenlySpacedIsExact) {
-  const Curve curve = line(0.45, 0.5, 80, {-0.42, -0.35, -0.1, 0.02, 0.2, 0.41});
+  const Curve curve = line_curve(0.45, 0.5, 80, {-0.42, -0.35, -0.1, 0.02, 0.2, 0.41});
   for (const auto& [rule, scope] : matrices) {
     EXPECT_LT(largest(errors_from_afar(curve, setting(rule, scope))), 1e-9);  // the thesis: .01
   }
@@ -48,7 +48,7 @@ TEST(MassMatrixLines, AtAnyAngleIsExact) {
     for (double angle = 0; angle < 360; angle += 7.5) {
       std::vector<double> distances;
       for (int k = 0; k < 40; ++k) distances.push_back(-2 + 0.1 * k + 0.03 * std::sin(5.0 * k));
-      const Curve curve = line(0.137, 0.291, angle, distances);
+      const Curve curve = line_curve(0.137, 0.291, angle, distances);
       EXPECT_LT(largest(errors_from_afar(curve, s)), 1e-7) << angle;
     }
   }
@@ -111,7 +111,7 @@ Plain plain_solution(const Curve& curve, LocalPlace extra) {
 // Fig. 80 (a): the matrix of points above each other is singular. The fit is the line all the same.
 TEST(MassMatrixLines, AVerticalLineIsExactThoughTheMatrixIsSingular) {
   for (const double x : {0.3, 0.5, 0.999}) {
-    const Curve curve = line(x, 0.5, 90, {-0.4, -0.2, 0.05, 0.2, 0.45});
+    const Curve curve = line_curve(x, 0.5, 90, {-0.4, -0.2, 0.05, 0.2, 0.45});
     EXPECT_LT(plain_solution(curve, {0.05, 0.1}).smallest_pivot, 1e-14);
     for (const auto& [rule, scope] : matrices) {
       EXPECT_LT(largest(errors_from_afar(curve, setting(rule, scope))), 1e-10);
@@ -123,7 +123,7 @@ TEST(MassMatrixLines, AVerticalLineIsExactThoughTheMatrixIsSingular) {
 // middle point lies along the membrane, however little the point is off. The line through them is what is meant.
 TEST(MassMatrixLines, ASaddleThroughPointsNearlyInALineIsRefused) {
   for (const double off : {1e-4, 1e-3, 1e-2}) {
-    Curve curve = line(0.3, 0.5, 90, {-0.3, 0, 0.3});
+    Curve curve = line_curve(0.3, 0.5, 90, {-0.3, 0, 0.3});
     curve.x[1] += off;
     const Plain plain = plain_solution(curve, {0.9, 0.1});
     EXPECT_GT(plain.smallest_pivot, 1e-12);
@@ -137,7 +137,7 @@ TEST(MassMatrixLines, ASaddleThroughPointsNearlyInALineIsRefused) {
 
 // With more points there are saddles for quadratic functions, too, in both scopes.
 TEST(MassMatrixLines, ASaddleOfQuadraticFunctionsIsRefusedToo) {
-  Curve curve = line(0.3, 0.5, 90, {-0.4, -0.2, 0, 0.2, 0.4});
+  Curve curve = line_curve(0.3, 0.5, 90, {-0.4, -0.2, 0, 0.2, 0.4});
   curve.x[2] += 0.01;
   for (const auto& [rule, scope] : matrices) EXPECT_LT(largest(errors_from_afar(curve, setting(rule, scope))), 2);
 }

@@ -26,7 +26,7 @@ Turned turned(const Curve& curve, const Setting& s, double tx, double ty) {
 
 // Points more than a cell apart on a line at 30 degrees: the ghost cell of each holds a neighbour.
 TEST(LonePoints, AGhostCellFindsTheLine) {
-  const Curve curve = line(0.5, 0.5, 30, {-1.1, 0, 1.1});
+  const Curve curve = line_curve(0.5, 0.5, 30, {-1.1, 0, 1.1});
   for (const auto rule : mass_rules) {
     const Turned t = turned(curve, setting(rule), 1, 0);
     EXPECT_LT(largest(angles(curve, t.tx, t.ty)), 1e-10);
@@ -34,7 +34,7 @@ TEST(LonePoints, AGhostCellFindsTheLine) {
 }
 
 TEST(LonePoints, OrTheTangentBeforeStays) {
-  const Curve curve = line(0.5, 0.5, 30, {-1.1, 0, 1.1});
+  const Curve curve = line_curve(0.5, 0.5, 30, {-1.1, 0, 1.1});
   for (const auto rule : mass_rules) {
     const Turned t = turned(curve, setting(rule, MatrixScope::cell, LonePoint::previous), 0.6, 0.8);
     for (std::size_t p = 0; p < 3; ++p) EXPECT_TRUE(t.tx[p] == 0.6 && t.ty[p] == 0.8);
@@ -83,7 +83,7 @@ TEST(LonePoints, PointsOnOneSpotCountAsOne) {
 
 // In one matrix for the whole membrane a neighbour's colours reach into the cell of a lone point.
 TEST(LonePoints, NeedNoGhostInTheMatrixOfTheMembrane) {
-  const Curve curve = line(0.4, 0.45, 20, {-1.5, -1.25, -1, 0, 0.8, 1.05, 1.3});
+  const Curve curve = line_curve(0.4, 0.45, 20, {-1.5, -1.25, -1, 0, 0.8, 1.05, 1.3});
   for (const auto rule : mass_rules) {
     const Turned t = turned(curve, setting(rule, MatrixScope::membrane), 1, 0);
     EXPECT_LT(largest(angles(curve, t.tx, t.ty)), 0.1);
@@ -98,11 +98,11 @@ TEST(LonePoints, SeeTheirImageInAMirror) {
       const Wall wall = mirror ? Wall::symmetry : Wall::open;
       s.walls = {wall, wall, wall, wall};
       for (const double x : {-1.8, 2.8}) {  // beside the left and the right wall
-        const Turned t = turned(line(x, 0.4, 0, {0}), s, 0.8, 0.6);
+        const Turned t = turned(line_curve(x, 0.4, 0, {0}), s, 0.8, 0.6);
         EXPECT_NEAR(t.tx[0], mirror ? 1 : 0.8, 1e-10);
       }
       for (const double y : {-1.8, 2.8}) {
-        const Turned t = turned(line(0.4, y, 90, {0}), s, 0.8, 0.6);
+        const Turned t = turned(line_curve(0.4, y, 90, {0}), s, 0.8, 0.6);
         EXPECT_NEAR(t.ty[0], mirror ? 1 : 0.6, 1e-10);
       }
     }
@@ -132,7 +132,7 @@ TEST(LonePoints, GhostCellHoldsEachPointOnce) {
 TEST(LonePoints, AtAnOpenEdgeTheGhostCellLiesInside) {
   for (const auto rule : mass_rules) {
     for (const double x : {-1.8, 2.8}) {
-      const Curve curve = line(x, 0.5, 10, {0, x < 0 ? 1.2 : -1.2});
+      const Curve curve = line_curve(x, 0.5, 10, {0, x < 0 ? 1.2 : -1.2});
       const Turned t = turned(curve, setting(rule), 1, 0);
       EXPECT_LT(angles(curve, t.tx, t.ty)[0], 1e-10);
     }
@@ -145,7 +145,7 @@ TEST(LonePoints, InTheOnlyCellOfAGridStay) {
     for (const double x : {0.2, 0.8}) {
       Setting s = setting(rule);
       s.grid = BackgroundGrid(2, 2, 0, 1, 0, 1);
-      const Turned t = turned(line(x, x, 0, {0}), s, 0.6, 0.8);
+      const Turned t = turned(line_curve(x, x, 0, {0}), s, 0.6, 0.8);
       EXPECT_TRUE(t.tx[0] == 0.6 && t.ty[0] == 0.8);
     }
   }
@@ -161,7 +161,7 @@ TEST(LonePoints, StandAnywhereOnTheSmallestGrid) {
           Setting s = setting(rule, scope);
           s.grid = BackgroundGrid(2, 2, 0, 1, 0, 1);
           s.walls = {wall, Wall::open, wall, wall};
-          const Turned t = turned(line(x, 0, 90, {0, 1}), s, 0.6, 0.8);
+          const Turned t = turned(line_curve(x, 0, 90, {0, 1}), s, 0.6, 0.8);
           for (std::size_t p = 0; p < 2; ++p) EXPECT_NEAR(std::hypot(t.tx[p], t.ty[p]), 1, 1e-12);
         }
       }
@@ -172,7 +172,7 @@ TEST(LonePoints, StandAnywhereOnTheSmallestGrid) {
 // By symmetry the colour of a point alone in the middle of a cell has no gradient there: no rule may make one up.
 TEST(GridNormals, WithoutAGradientTheTangentStays) {
   for (const auto rule : grid_rules) {
-    const Turned t = turned(line(0.5, 0.5, 0, {0}), setting(rule), 0.6, 0.8);
+    const Turned t = turned(line_curve(0.5, 0.5, 0, {0}), setting(rule), 0.6, 0.8);
     EXPECT_EQ(t.tx[0], 0.6);
     EXPECT_EQ(t.ty[0], 0.8);
   }
@@ -216,7 +216,7 @@ TEST(GridNormals, ASlopingSideInCellsThatAreNotSquare) {
 
 // The tangent keeps its sense: with the one before reversed, it comes out reversed and else the same.
 TEST(Normals, TangentsKeepTheirSense) {
-  Curve curve = arc(0.5, 0.5, 1.2, 0, 300, 40);
+  Curve curve = arc_curve(0.5, 0.5, 1.2, 0, 300, 40);
   for (int k = 0; k < 50; ++k) {
     curve.x.push_back(0.5 + 0.9 * std::sin(2.4 * k) * std::sqrt(k / 50.0));
     curve.y.push_back(0.5 + 0.9 * std::cos(2.4 * k) * std::sqrt(k / 50.0));
@@ -265,7 +265,7 @@ TEST(Normals, AreUnitVectorsForAnyHeapOfPoints) {
 
 // Work space is no memory: another membrane, or the same elsewhere, leaves no trace in the next answer.
 TEST(Normals, ForgetWhatTheyWereAskedBefore) {
-  const Curve curve = arc(0.5, 0.5, 1.2, 0, 300, 40), other = arc(-0.3, 0.9, 0.7, 20, 200, 31);
+  const Curve curve = arc_curve(0.5, 0.5, 1.2, 0, 300, 40), other = arc_curve(-0.3, 0.9, 0.7, 20, 200, 31);
   for (const auto rule : {NormalRule::color, NormalRule::quadratic, NormalRule::cubic, NormalRule::mass_linear,
                           NormalRule::mass_quadratic}) {
     for (const auto scope : {MatrixScope::cell, MatrixScope::membrane}) {

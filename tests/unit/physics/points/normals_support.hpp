@@ -28,7 +28,7 @@ struct Curve {
 };
 
 /// An arc from one angle to another [degrees], its points in the middles of equal pieces.
-inline Curve arc(double centre_x, double centre_y, double radius, double from, double to, int count) {
+inline Curve arc_curve(double centre_x, double centre_y, double radius, double from, double to, int count) {
   Curve curve;
   for (int k = 0; k < count; ++k) {
     const double angle = (from + (to - from) * (k + 0.5) / count) * degree;
@@ -39,7 +39,7 @@ inline Curve arc(double centre_x, double centre_y, double radius, double from, d
 }
 
 /// Points at distances along a straight line through a place, at an angle to x [degrees].
-inline Curve line(double through_x, double through_y, double angle, const std::vector<double>& distances) {
+inline Curve line_curve(double through_x, double through_y, double angle, const std::vector<double>& distances) {
   Curve curve;
   const double c = std::cos(angle * degree), s = std::sin(angle * degree);
   for (const double d : distances) curve.add(through_x + d * c, through_y + d * s, c, s);
