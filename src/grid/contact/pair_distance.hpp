@@ -54,13 +54,11 @@ inline double crossing(const Products<3>& g) { return g[3] * g[5] - g[4] * g[4];
 inline Products<3> crossing_slope(const Products<3>& g) { return {0, 0, 0, g[5], -2 * g[4], g[3]}; }
 
 /// Where two things are nearest: `used` vectors of the pair, each a sum of the pair's own, say it all, the distance
-/// being that of the first from what the others span. Where as many are used as the pair has, they are its own. `at`
-/// are the places along the pair's second and third vector.
+/// being that of the first from what the others span. Where as many are used as the pair has, they are its own.
 template <int count>
 struct Nearest {
   int used = 1;
   SmallMatrix<count, count> sums;  // a column a vector, those that are used
-  std::array<double, 2> at{};
 };
 
 namespace pair_distance_detail {
