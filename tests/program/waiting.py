@@ -5,7 +5,7 @@ import pathlib
 import time
 
 SLOWER = float(os.environ.get("TETHER_SLOWER", "1"))  # than a release build, as sanitizers make it
-PATIENCE = 300 * SLOWER  # seconds after which a program counts as hanging: many times what it takes on a busy machine
+PATIENCE = 600 * SLOWER  # seconds after which a program counts as hanging: many times what it takes on a busy machine
 SHORTEST, LONGEST = 0.002, 0.1  # seconds between two looks
 LATE = 0.05  # part of the wait by which what is awaited may be seen too late
 

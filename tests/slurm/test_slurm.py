@@ -97,7 +97,7 @@ class Slurm(SweepTest):
         self.tether(deck, *sets, "--out", self.folder / "alone", "--quiet", "--threads", "1")
         out = self.folder / "run"
         self.tether(deck, *sets, "--out", out, "--slurm", SBATCH_TIMELIMIT="1", SBATCH_SIGNAL="B:TERM@5")
-        self.cluster.wait_for_no_job(3 * PATIENCE)
+        self.cluster.wait_for_no_job(2 * PATIENCE)
         log = self.logs(out)
         self.assertIn("exit code 143", log)
         self.assertIn("exit code 0", log)
