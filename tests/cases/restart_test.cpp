@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A run that was interrupted at random steps, and each time went on from its checkpoint on another number of threads,
 // leaves the same numbers as one that was not, on one thread, to the last bit: in every variable of history, snapshots
-// and the final checkpoint, for every deck.
+// and the final checkpoint, for every deck. By default runs are short, stop twice, and a dozen decks take the robust
+// method, too; at full length all do, and all stop five times.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@
 #include "results/checkpoint.hpp"
 #include "results/netcdf_file.hpp"
 #include "run/run.hpp"
+#include "unit/full_length.hpp"
 #include "unit/temporary_folder.hpp"
 
 namespace tether::cases {
@@ -25,22 +27,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the parts of a run, and so how often it stops.
-constexpr std::array threads_of_parts{2, 3, 8, 1, 2};
+/// How long runs are, and the threads of their parts, each of which a stop ends.
+struct Length {
+  double most_point_steps;  ///< of a deck's run: longer ones end sooner
+  double most_seconds;      ///< that the plan expects of it
+  double fewest_steps;      ///< however long they take
+  std::vector<int> threads_of_parts;
+};
+const Length& length() {
+  static const Length whole{2e6, 2, 20, {2, 3, 8, 1, 2}}, by_default{5e5, 0.5, 5, {2, 3}};
+  return test::at_full_length() ? whole : by_default;
+}
+
+/// What takes the robust method by default, too.
+constexpr std::array<std::string_view, 12> robust_by_default{
+    "ball-net",  "cyl-200-tether", "cylinder-expansion", "liquid-bubble",  "liquid-pour", "membrane-expansion-4",
+    "open-tube", "pendulum-curve", "piston-m1",          "sod-continuity", "spring-mass", "two-bar-stick"};
 
 struct Case {
   std::string deck, variant;
   std::vector<std::string> overrides;  ///< that make the variant of the deck
+  bool is_by_default() const {
+    const auto& few = robust_by_default;
+    return variant != "robust" || std::find(few.begin(), few.end(), deck) != few.end();
+  }
   std::string name() const {
     std::string text = deck + "_" + variant;
     std::replace(text.begin(), text.end(), '-', '_');
     return text;
   }
 };
-
-constexpr double most_point_steps = 2e6;  ///< of a deck's run: longer ones end sooner
-constexpr double most_seconds = 2;        ///< that the plan expects of it
-constexpr double fewest_steps = 20;       ///< however long they take
 
 /// How many times slower than a release build this one is: its runs are as much shorter.
 double slower() {
@@ -55,9 +71,10 @@ class Restart : public testing::TestWithParam<Case> {
   void SetUp() override {
     folder_ = fs::path(testing::TempDir()) / fmt::format("tether-restart-{}-{}", GetParam().name(), ::getpid());
     const Plan plan = loaded({}).plan;
-    tmax_ = plan.scene.clock.tmax *
-            std::min({1.0, most_point_steps / plan.cost.point_steps, most_seconds / slower() / plan.cost.seconds});
-    tmax_ = std::min(plan.scene.clock.tmax, std::max(tmax_, fewest_steps * plan.step.deck_step));
+    const Length& most = length();
+    tmax_ = plan.scene.clock.tmax * std::min({1.0, most.most_point_steps / plan.cost.point_steps,
+                                              most.most_seconds / slower() / plan.cost.seconds});
+    tmax_ = std::min(plan.scene.clock.tmax, std::max(tmax_, most.fewest_steps * plan.step.deck_step));
   }
   void TearDown() override { fs::remove_all(folder_); }
 
@@ -102,7 +119,7 @@ class Restart : public testing::TestWithParam<Case> {
     std::mt19937 random(std::hash<std::string>{}(GetParam().name()));
     const double last = tmax_ - 1.5 * loaded({}).plan.step.deck_step;
     std::uniform_real_distribution<double> any(0.001 * tmax_, last);
-    std::vector<double> times(threads_of_parts.size());
+    std::vector<double> times(length().threads_of_parts.size());
     for (double& time : times) time = any(random);
     std::sort(times.begin(), times.end());
     return times;
@@ -142,7 +159,7 @@ TEST_P(Restart, GoesOnToTheLastBitFromRandomStepsOnOtherThreads) {
   fs::path checkpoint;
   const std::vector<double> times = random_times();
   for (std::size_t k = 0; k < times.size(); ++k) {
-    checkpoint = run_until(times[k], checkpoint, threads_of_parts[k]);
+    checkpoint = run_until(times[k], checkpoint, length().threads_of_parts[k]);
     const Checkpoint at = read_checkpoint(checkpoint);
     fmt::print("{}: stopped after step {}, t = {:.6g} of {:.6g}\n", GetParam().name(), at.state.at("steps").front(),
                at.time, tmax_);
@@ -158,7 +175,7 @@ TEST_P(Restart, GoesOnToTheLastBitFromRandomStepsOnOtherThreads) {
   expect_same_bits(checkpoints_in(whole).at(0), checkpoints_in(parts).at(0));
 }
 
-/// Every deck as it stands and by the robust method, and what else a run may have to remember.
+/// Every deck as it stands, decks by the robust method, and what else a run may have to remember.
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const auto& entry : fs::directory_iterator(fs::path(TETHER_SOURCE_DIR) / "decks")) {
@@ -198,8 +215,15 @@ std::vector<Case> all_cases() {
   return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(OfEveryDeck, Restart, testing::ValuesIn(all_cases()),
-                         [](const auto& info) { return info.param.name(); });
+std::vector<Case> cases_by_default(bool wanted) {
+  std::vector<Case> cases = all_cases();
+  std::erase_if(cases, [wanted](const Case& one) { return one.is_by_default() != wanted; });
+  return cases;
+}
+std::string name_of(const testing::TestParamInfo<Case>& info) { return info.param.name(); }
+
+INSTANTIATE_TEST_SUITE_P(OfEveryDeck, Restart, testing::ValuesIn(cases_by_default(true)), name_of);
+INSTANTIATE_TEST_SUITE_P(AtFullLength, Restart, testing::ValuesIn(cases_by_default(false)), name_of);
 
 }  // namespace
 }  // namespace tether::cases

@@ -2,17 +2,15 @@
 """Which tests catch which seeded fault: a table with a line a fault, written as it is found, so that it can be gone on with.
 
 A fault is caught by a test that fails with it and passes without it. The tests of the fault's own room come first, then those
-that its row names as likely, the rest of the room's program, and all others, each time the cheapest first; what they take is
-what ctest noted when they ran last. A fault that nothing catches takes a whole run."""
+that its row names as likely, and all others, each time the cheapest first; what they take is what ctest noted when they ran
+last. A fault that nothing catches takes a whole run."""
 import json
 import os
-import pathlib
 import re
 import resource
 import subprocess
 import sys
 
-UNIT_TESTS = pathlib.Path(__file__).resolve().parents[1] / "unit"
 COLUMNS = ("fault", "room", "kind", "result", "test", "cpu_seconds")
 BATCH = 20  # seconds of tests that one ctest runs
 PATIENCE = 120, 30  # seconds, and times what a test took: a fault may keep a program from ending
@@ -55,29 +53,11 @@ class Build:
         return [name for name in (line.split(":", 1)[1] for line in failed) if name in tests]
 
 
-def suites_of(room):
-    """The suites of the unit tests that stand in the room's folder, or in the nearest one above it."""
-    folder = UNIT_TESTS / room
-    while not folder.is_dir():
-        folder = folder.parent
-    if folder == UNIT_TESTS:
-        return set()
-    texts = (path.read_text() for path in folder.rglob("*.cpp"))
-    return {suite for text in texts for suite in re.findall(r"^TEST(?:_F|_P)?\((\w+),", text, re.M)}
-
-
 def in_order(tests, costs, fault):
-    """The room's own tests, those that are likely, those of its program, all others; the cheapest first."""
-    suites = suites_of(fault.room)
-    program = "program." if fault.room == "commands" else f"unit.{fault.room.split('/')[0]}."
+    """Those of the room's program, those that are likely, all others; the cheapest first."""
+    program = "program." if fault.room == "commands" else f"unit.{fault.room.split('/')[0]}"
     likely = re.compile(fault.likely or "$^", re.I)
-
-    def rank(name):
-        in_program = name.startswith(program)
-        own = in_program and bool(suites & set(re.split(r"\W+", name)))
-        return not own, not likely.search(name), not in_program, costs.get(name, 0)
-
-    return sorted(tests, key=rank)
+    return sorted(tests, key=lambda name: (not name.startswith(program), not likely.search(name), costs.get(name, 0)))
 
 
 def batches(tests, costs):
