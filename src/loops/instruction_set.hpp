@@ -9,7 +9,7 @@ enum class InstructionSet { one, sse2, avx2, avx512 };
 constexpr InstructionSet instruction_sets[] = {InstructionSet::one, InstructionSet::sse2, InstructionSet::avx2,
                                                InstructionSet::avx512};
 
-/// Returns whether the processor has it.
+/// Returns whether the processor has it, and the program was built for it: sse2 by TETHER_SSE alone.
 bool has(InstructionSet set);
 
 /// The one that TETHER_TARGET in the environment asks for, else the processor's best. Throws InputError where it asks

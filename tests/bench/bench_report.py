@@ -34,7 +34,7 @@ def of_sets(found):
     rows = []
     for name, by_set in found.items():
         rows.append([name, *(f"{ours:.1f} ({ratio(plain, ours)})" for plain, ours in by_set.values())])
-    return ("By sets of instructions (`TETHER_TARGET`), and in brackets the times again:\n\n" +
+    return ("By sets of instructions (`TETHER_TARGET`; sse2 where it was built by `TETHER_SSE`), and in brackets the times again:\n\n" +
             table(["scene", *sets], rows))
 
 

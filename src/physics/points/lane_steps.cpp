@@ -75,6 +75,7 @@ LaneWork lane_work(StepWork& work, const PassWork& pass, std::size_t b) {
           .blocks = &*state.blocks[b],
           .body = lane_body(work.scene.bodies[b].material, pass.step),
           .dt = pass.step.dt,
+          .about_axis = work.scene.geometry == Geometry::axisymmetric,
           .records = work.records || state.keeps_ledger || state.contact.on(),
           .reads_stress = state.contact.on() && work.scene.method.order == StressOrder::usf};
 }

@@ -76,7 +76,7 @@ inline void accelerate_and_convect_by_lanes(StepWork& work, const PassWork& pass
 
 /// Stresses of a body that has strained and moved, and all that it gives to the nodes.
 inline void stress_and_map_moved_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  run_by_lanes(work, pass, b, of_law(work.state.lane_passes->stress_and_map, work, b));
+  run_by_lanes(work, pass, b, work.state.lane_passes->stress_and_map);
 }
 
 /// Does what remains of a body's step that updated stress first.
@@ -93,8 +93,7 @@ void accelerate_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std:
 /// Strain rates, places, stresses, and all that a body gives to the nodes.
 template <class S>
 void strain_move_and_map_by_lanes(StepWork& work, const PassWork& pass, std::size_t b) {
-  const std::vector<LaneFindings>& found =
-      run_by_lanes(work, pass, b, of_law(work.state.lane_passes->strain_move_and_map, work, b));
+  const std::vector<LaneFindings>& found = run_by_lanes(work, pass, b, work.state.lane_passes->strain_move_and_map);
   settle_moved<S>(work, pass, b, found, [&](std::size_t p, double lost, const auto& at) {
     map_moved<S, true>(work, pass, work.scene.bodies[b].material, p, lost, at);
   });

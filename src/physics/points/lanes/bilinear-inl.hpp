@@ -159,6 +159,15 @@ class Forces {
 #pragma GCC unroll 4
     for (int i = 0; i < 4; ++i) X_[i] = Y_[i] = hn::Zero(D());
   }
+  /// The sums over a tile whose places and pulls are known.
+  static HWY_INLINE Forces of(Tile& tile, std::size_t sub) {
+    Forces sums;
+    for (std::size_t k = 0; k < tile.layers; ++k)
+      sums.add(tile, k, sub, {load<D>(tile.r[k] + sub), load<D>(tile.s[k] + sub)},
+               {load<D>(tile.pull_xx[k] + sub), load<D>(tile.pull_xy[k] + sub), load<D>(tile.pull_yy[k] + sub),
+                hn::Zero(D())});
+    return sums;
+  }
   HWY_INLINE void add(Tile&, std::size_t, std::size_t, Places<D> at, const Pull<D>& of) {
     const V<D> one = all<D>(1), low = one - at.s, left = one - at.r;
     X_[0] += low * of.xx, X_[1] += at.s * of.xx, X_[2] += left * of.xy, X_[3] += at.r * of.xy;

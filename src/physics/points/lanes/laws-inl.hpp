@@ -9,7 +9,6 @@
 
 #include <algorithm>
 
-#include "physics/points/lanes/straining-inl.hpp"
 #include "physics/points/lanes/tile-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,6 +22,16 @@ template <class D>
 struct Stresses {
   V<D> xx, yy, xy, zz;
 };
+
+/// What gas may take from the nodes at a layer: density, and heat for the ledger [energy/mass].
+template <class D>
+struct AtNodes {
+  V<D> density, warmth;
+};
+template <class D>
+HWY_INLINE AtNodes<D> not_from_nodes() {
+  return {hn::Zero(D()), hn::Zero(D())};
+}
 
 /// What a law finds for a layer: the stresses and the volumes in which they pull; of gas these are masses, and the
 /// stresses are over the density.
@@ -55,18 +64,18 @@ HWY_INLINE void note_unsound(std::size_t p, M sound, LaneFindings& found) {
 }
 
 /// Hooke's law in the plane and about an axis (3.2).
-template <class D, class Kernel, bool axis>
+template <class D, bool axis>
 class Elastic {
  public:
-  static constexpr bool is_gas = false, about_axis = axis;
+  static constexpr bool is_gas = false, by_nodes = false, about_axis = axis;
 
-  HWY_INLINE Elastic(const LaneWork& work, std::ptrdiff_t, std::size_t)
+  HWY_INLINE explicit Elastic(const LaneWork& work)
       : own_(all<D>(work.dt * work.body.own)),
         other_(all<D>(work.dt * work.body.other)),
         shear_(all<D>(0.5 * work.dt * work.body.shear)) {}
 
-  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, V<D>, const typename Kernel::template Weights<D>&,
-                                const Rates<D>& rate, LaneFindings& found) const {
+  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, const AtNodes<D>&, const Rates<D>& rate,
+                                LaneFindings& found) const {
     const V<D> volume = load<D>(P.volume + p);
     const auto there = volume > hn::Zero(D());
     const V<D> across_x = axis ? rate.yy + rate.zz : rate.yy, across_y = axis ? rate.xx + rate.zz : rate.xx;
@@ -86,15 +95,15 @@ class Elastic {
 };
 
 /// A law that is asked point by point, with rates from the lanes.
-template <class D, class Kernel, bool axis>
+template <class D, bool axis>
 class OneByOne {
  public:
-  static constexpr bool is_gas = false, about_axis = axis;
+  static constexpr bool is_gas = false, by_nodes = false, about_axis = axis;
 
-  HWY_INLINE OneByOne(const LaneWork& work, std::ptrdiff_t, std::size_t) : law_(work.body.each) {}
+  HWY_INLINE explicit OneByOne(const LaneWork& work) : law_(work.body.each) {}
 
-  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, V<D>, const typename Kernel::template Weights<D>&,
-                                const Rates<D>& rate, LaneFindings& found) const {
+  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, const AtNodes<D>&, const Rates<D>& rate,
+                                LaneFindings& found) const {
     double xx[width<D>], yy[width<D>], xy[width<D>], zz[width<D>], spin[width<D>], volume[width<D>];
     const V<D> half = all<D>(0.5);
     store<D>(rate.xx, xx), store<D>(rate.yy, yy), store<D>(half * rate.xy, xy), store<D>(rate.zz, zz);
@@ -119,37 +128,35 @@ HWY_INLINE V<D> power(const Stresses<D>& s, const Rates<D>& of) {
 }
 
 /// sigma / rho of a gas (4.1), (4.4) with artificial viscosity (4.11), (4.12), and where it is heated by the rate that
-/// makes it, the energy (4.10). Its density comes from the nodes, as does `warmth`, the heat of the ledger, or from
-/// continuity (4.7), or it stands in its array. The points' arrays hold sigma / rho within a step, so
-/// that nothing is divided by rho twice; record_stress() ends that, unless contact reads the stress between the passes.
-template <class D, class Kernel, bool axis, LaneLaw law_of>
+/// makes it, the energy (4.10). Its density comes from the nodes, as does the heat of the ledger, or from continuity
+/// (4.7), or it stands in its array. The points' arrays hold sigma / rho within a step, so that nothing is divided by
+/// rho twice; record_stress() ends that, unless contact reads the stress between the passes.
+template <class D, bool axis, LaneLaw law_of>
 class Gas {
  public:
   static constexpr bool is_gas = true, about_axis = axis;
   static constexpr bool by_nodes = law_of == LaneLaw::gas_of_nodes;
 
-  HWY_INLINE Gas(const LaneWork& work, std::ptrdiff_t n, std::size_t sub)
+  HWY_INLINE explicit Gas(const LaneWork& work)
       : law_(work.body),
         warmed_(by_nodes && work.N.heat),
         records_(!by_nodes || work.records),
         reads_stress_(work.reads_stress),
-        density_(work.N.rho + n, work.grid.nx, sub),
         dt_(all<D>(work.dt)),
         gm1_(all<D>(work.body.gm1)),
         c_of_e_(all<D>(work.body.gamma * work.body.gm1)),
         linear_(all<D>(work.body.linear)),
         square_(all<D>(work.body.square)) {}
 
-  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, V<D> warmth,
-                                const typename Kernel::template Weights<D>& w, const Rates<D>& of,
+  HWY_INLINE Stressed<D> stress(const LanePoints& P, std::size_t p, const AtNodes<D>& nodes, const Rates<D>& of,
                                 LaneFindings& found) const {
     const LaneBody& law = law_;
     const V<D> zero = hn::Zero(D()), infinite = hn::Inf(D()), mass = load<D>(P.mass + p);
     const auto there = mass > zero;
     V<D> energy = load<D>(P.energy + p);
-    if (warmed_) energy = hn::IfThenElseZero(there, energy + (warmth + all<D>(law.heat)));
+    if (warmed_) energy = hn::IfThenElseZero(there, energy + (nodes.warmth + all<D>(law.heat)));
     const V<D> rate = axis ? of.xx + of.yy + of.zz : of.xx + of.yy;
-    const V<D> rho = hn::IfThenElse(there, density(P, p, rate, w), all<D>(1));
+    const V<D> rho = hn::IfThenElse(there, density(P, p, rate, nodes), all<D>(1));
     const V<D> c = law.local_speed ? hn::Sqrt(hn::Max(zero, c_of_e_ * energy)) : all<D>(law.c_max);
     const V<D> q = hn::IfThenElseZero(rate < zero, (square_ * rate - linear_ * c) * rate);
     const Stresses<D> s = over_density(gm1_ * energy + q, rate, rho, of);
@@ -163,9 +170,8 @@ class Gas {
   }
 
  private:
-  HWY_INLINE V<D> density(const LanePoints& P, std::size_t p, V<D> rate,
-                          const typename Kernel::template Weights<D>& w) const {
-    if constexpr (by_nodes) return density_.at(w);
+  HWY_INLINE V<D> density(const LanePoints& P, std::size_t p, V<D> rate, const AtNodes<D>& nodes) const {
+    if constexpr (by_nodes) return nodes.density;
     const V<D> rho = load<D>(P.rho + p);
     return law_of == LaneLaw::gas_of_continuity ? rho / (all<D>(1) + dt_ * rate) : rho;
   }
@@ -179,7 +185,6 @@ class Gas {
 
   LaneBody law_;
   bool warmed_, records_, reads_stress_;
-  FromNodes<D, Kernel, by_nodes> density_;
   V<D> dt_, gm1_, c_of_e_, linear_, square_;
 };
 

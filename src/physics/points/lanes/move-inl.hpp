@@ -206,14 +206,14 @@ HWY_NOINLINE void record_motion(const LaneWork& work, const Tile& tile) {
   }
 }
 /// Records the stress of gas itself, and not the stress over the density.
-template <class D, bool axis>
+template <class D>
 HWY_NOINLINE void record_stress(const LaneWork& work, const Tile& tile) {
   for (std::size_t k = 0; k < tile.layers; ++k) {
     for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
       const std::size_t p = tile.slot[k] + sub;
       const V<D> rho = load<D>(work.P.rho + p);
       for (double* stress : {work.P.sxx, work.P.syy, work.P.sxy}) store<D>(rho * load<D>(stress + p), stress + p);
-      if constexpr (axis) store<D>(rho * load<D>(work.P.szz + p), work.P.szz + p);
+      if (work.about_axis) store<D>(rho * load<D>(work.P.szz + p), work.P.szz + p);
     }
   }
 }

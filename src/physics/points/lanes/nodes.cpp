@@ -138,7 +138,9 @@ NodePasses node_passes(InstructionSet set) {
     case InstructionSet::avx2:
       return N_AVX2::passes_at_nodes();
     case InstructionSet::sse2:
+#ifdef TETHER_SSE
       return N_SSSE3::passes_at_nodes();
+#endif
     case InstructionSet::one:
       break;
   }

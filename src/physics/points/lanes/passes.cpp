@@ -16,38 +16,32 @@ HWY_BEFORE_NAMESPACE();
 namespace tether::mpm::HWY_NAMESPACE {
 
 /// Orders whose points move before their stress; `last`: velocities were not mapped back.
-template <class D, class Kernel, bool affine, bool axis, bool last>
+template <class D, class Kernel, bool affine, bool last>
 LanePasses passes_that_move() {
-  using Solid = Elastic<D, Kernel, axis>;
-  using OfNodes = Gas<D, Kernel, axis, LaneLaw::gas_of_nodes>;
-  using OfContinuity = Gas<D, Kernel, axis, LaneLaw::gas_of_continuity>;
-  using OfCells = Gas<D, Kernel, axis, LaneLaw::gas_of_cells>;
   return {.accelerate_and_convect = last ? nullptr : accelerate_and_convect<D, Kernel, affine>,
-          .strain_move_and_map = {strain_move_and_map<D, Kernel, affine, last, Solid>, nullptr,
-                                  strain_move_and_map<D, Kernel, affine, last, OfContinuity>, nullptr,
-                                  strain_move_and_map<D, Kernel, affine, last, OneByOne<D, Kernel, axis>>},
-          .strain_and_move = strain_and_move<D, Kernel, affine, axis, last>,
-          .stress_and_map = {nullptr, stress_and_map<D, Kernel, affine, OfNodes>, nullptr,
-                             stress_and_map<D, Kernel, affine, OfCells>}};
+          .strain_move_and_map = strain_move_and_map<D, Kernel, affine, last>,
+          .strain_and_move = strain_and_move<D, Kernel, affine, last>,
+          .stress_and_map = stress_and_map<D, Kernel, affine>};
 }
+/// Updated stress first.
 template <class D, class Kernel, bool affine, bool axis>
-LanePasses passes_of(StressOrder order) {
-  if (order == StressOrder::musl) return passes_that_move<D, Kernel, affine, axis, false>();
-  if (order == StressOrder::usl) return passes_that_move<D, Kernel, affine, axis, true>();
-  LanePasses passes{.strain_and_pull = {strain_and_pull<D, Kernel, Elastic<D, Kernel, axis>>,
-                                        strain_and_pull<D, Kernel, Gas<D, Kernel, axis, LaneLaw::gas_of_nodes>>,
-                                        strain_and_pull<D, Kernel, Gas<D, Kernel, axis, LaneLaw::gas_of_continuity>>,
-                                        strain_and_pull<D, Kernel, Gas<D, Kernel, axis, LaneLaw::gas_of_cells>>,
-                                        strain_and_pull<D, Kernel, OneByOne<D, Kernel, axis>>},
-                    .accelerate_move_and_map = accelerate_move_and_map<D, Kernel, affine, axis, false>};
+LanePasses passes_that_stay() {
+  LanePasses passes{.strain_and_pull = {strain_and_pull<D, Kernel, Elastic<D, axis>>,
+                                        strain_and_pull<D, Kernel, Gas<D, axis, LaneLaw::gas_of_nodes>>,
+                                        strain_and_pull<D, Kernel, Gas<D, axis, LaneLaw::gas_of_continuity>>,
+                                        strain_and_pull<D, Kernel, Gas<D, axis, LaneLaw::gas_of_cells>>,
+                                        strain_and_pull<D, Kernel, OneByOne<D, axis>>},
+                    .accelerate_move_and_map = accelerate_move_and_map<D, Kernel, affine, false>};
   if constexpr (affine && Kernel::lines == Spline::lines)  // the ledger asks for them
-    passes.accelerate_book_move_and_map = accelerate_move_and_map<D, Kernel, affine, axis, true>;
+    passes.accelerate_book_move_and_map = accelerate_move_and_map<D, Kernel, affine, true>;
   return passes;
 }
 template <class Kernel, bool affine>
 LanePasses passes_of(StressOrder order, Geometry geometry) {
-  return geometry == Geometry::axisymmetric ? passes_of<All, Kernel, affine, true>(order)
-                                            : passes_of<All, Kernel, affine, false>(order);
+  if (order == StressOrder::musl) return passes_that_move<All, Kernel, affine, false>();
+  if (order == StressOrder::usl) return passes_that_move<All, Kernel, affine, true>();
+  return geometry == Geometry::axisymmetric ? passes_that_stay<All, Kernel, affine, true>()
+                                            : passes_that_stay<All, Kernel, affine, false>();
 }
 template <class Kernel>
 LanePasses passes_of(const Method& method, Geometry geometry) {
@@ -73,7 +67,9 @@ LanePasses lane_passes(InstructionSet set, const Method& method, Geometry geomet
     case InstructionSet::avx2:
       return N_AVX2::passes_over_points(method, geometry);
     case InstructionSet::sse2:
+#ifdef TETHER_SSE
       return N_SSSE3::passes_over_points(method, geometry);
+#endif
     case InstructionSet::one:
       break;
   }

@@ -26,6 +26,7 @@ template <class D, class Kernel>
 class FromNodes<D, Kernel, false> {
  public:
   HWY_INLINE FromNodes(const double*, std::ptrdiff_t, std::size_t) {}
+  HWY_INLINE V<D> at(const typename Kernel::template Weights<D>&) const { return hn::Zero(D()); }
 };
 
 /// Strain rates (3.23), about an axis with eps_theta' = v_r / r.

@@ -19,30 +19,32 @@ namespace tether::mpm::HWY_NAMESPACE {
 // Updated stress first, first pass: strain rate (3.23), stress, force (3.16).
 
 template <class D, class Kernel, class Law>
-HWY_NOINLINE void strain_and_pull(const LaneWork& work, std::ptrdiff_t n, Tile& tile,
-                                  ForceRows<D, Kernel, Law::about_axis>& forces, LaneFindings& found) {
+HWY_NOINLINE void strain_and_pull(const LaneWork& work, std::ptrdiff_t n, Tile& tile, ForceRows<D, Kernel>& forces,
+                                  LaneFindings& found) {
   const LanePoints P = work.P;
   const LaneNodes N = work.N;
+  const Law law(work);
   for (std::size_t sub = 0; sub < lanes; sub += width<D>) {
     const Locating<D, Kernel> locating(work.grid, tile, sub);
     const Straining<D, Kernel, Law::about_axis, false> strain(work.grid, {N.old_x + n, N.old_y + n}, sub);
-    const Law law(work, n, sub);
+    const FromNodes<D, Kernel, Law::by_nodes> density(Law::by_nodes ? N.rho + n : nullptr, work.grid.nx, sub);
     typename Kernel::template Forces<D> sums;
     for (std::size_t k = 0; k < tile.layers; ++k) {
       const Layer<D> layer = layer_of<D>(P, locating, tile.slot[k] + sub);
       const auto w = Kernel::template weights<D>(layer.at);
       const V<D> warmth = Law::is_gas ? load<D>(tile.at_place[k] + sub) : hn::Zero(D());
-      const Stressed<D> of = law.stress(P, layer.p, warmth, w, strain.at(w, layer.x, layer.mass), found);
-      forces.add(sums, tile, k, sub, layer.at, pull_of<D, Law::about_axis>(of, layer.x));
+      const Rates<D> rate = strain.at(w, layer.x, layer.mass);
+      const Stressed<D> of = law.stress(P, layer.p, {density.at(w), warmth}, rate, found);
+      forces.template add<Law::about_axis>(sums, tile, k, sub, layer.at, pull_of<D, Law::about_axis>(of, layer.x));
     }
     forces.put(sums, tile, sub);
   }
-  forces.put_hoop(tile);
+  if constexpr (Law::about_axis) forces.put_hoop(tile);
 }
 
 template <class D, class Kernel, class Law>
 void strain_and_pull(const LaneWork& work, Blocks::Strip strip, LaneFindings& found) {
-  ForceRows<D, Kernel, Law::about_axis> forces(work);
+  ForceRows<D, Kernel> forces(work);
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
     if (Law::is_gas && work.N.heat) {
       locate<D, Kernel>(work, tile);
@@ -95,12 +97,13 @@ HWY_NOINLINE void accelerate_and_move(const LaneWork& work, std::ptrdiff_t n, Ti
   }
 }
 
-template <class D, class Kernel, bool affine, bool axis, bool books>
+template <class D, class Kernel, bool affine, bool books>
 HWY_INLINE void accelerate_heat_and_move(const LaneWork& work, std::ptrdiff_t n, Tile& tile,
                                          MomentumRows<D, Kernel>& momenta, LaneFindings& found) {
   const LaneNodes& N = work.N;
   const bool gas = is_gas(work.body.law);
-  if (gas && !work.body.heats) heat<D, Kernel, axis>(work, n, tile);
+  if (gas && !work.body.heats)
+    work.about_axis ? heat<D, Kernel, true>(work, n, tile) : heat<D, Kernel, false>(work, n, tile);
   if constexpr (books) {
     locate<D, Kernel>(work, tile);
     gather_motion<D, Kernel>(N.old_x + n, N.old_y + n, work.grid.nx, tile);
@@ -111,17 +114,17 @@ HWY_INLINE void accelerate_heat_and_move(const LaneWork& work, std::ptrdiff_t n,
   if constexpr (books) book_way_back<D>(work, tile, found);
   if (gas) note_waves<D, affine>(work, tile, found);
   if (affine && work.records) record_motion<D>(work, tile);
-  if (gas && work.records && !work.reads_stress) record_stress<D, axis>(work, tile);
+  if (gas && work.records && !work.reads_stress) record_stress<D>(work, tile);
   if (tile.some_left) take_out<affine, books>(work, tile, found);
 }
 
-template <class D, class Kernel, bool affine, bool axis, bool books>
+template <class D, class Kernel, bool affine, bool books>
 void accelerate_move_and_map(const LaneWork& work, Blocks::Strip strip, LaneFindings& found) {
   MomentumRows<D, Kernel> momenta(work.grid.nx);
   set_rows(work.N, momenta);
   const auto each = [&](Tile& tile, std::ptrdiff_t n) HWY_ATTR {
     momenta.begin(n);
-    accelerate_heat_and_move<D, Kernel, affine, axis, books>(work, n, tile, momenta, found);
+    accelerate_heat_and_move<D, Kernel, affine, books>(work, n, tile, momenta, found);
     if constexpr (books) {
       if (momenta.used > row_of_loss) Kernel::template scatter_value<D>(tile, tile.lost, momenta, row_of_loss);
     }

@@ -28,16 +28,17 @@ HWY_INLINE void sweep(const LaneWork& work, Blocks::Strip strip, const Each& eac
 }
 
 /// Rows of internal forces (3.16), about an axis with the hoop's.
-template <class D, class Kernel, bool axis>
+template <class D, class Kernel>
 class ForceRows {
  public:
   using Sums = typename Kernel::template Forces<D>;
 
   HWY_INLINE explicit ForceRows(const LaneWork& work) : grid_(work.grid), rows_(work.grid.nx) {
-    rows_.rows[0] = work.N.force_x, rows_.rows[1] = work.N.force_y;
-    if constexpr (axis) rows_.rows[2] = work.N.force_x;
+    rows_.rows[0] = work.N.force_x, rows_.rows[1] = work.N.force_y, rows_.rows[2] = work.N.force_x;
+    rows_.used = work.about_axis ? 3 : 2;
   }
   HWY_INLINE void begin(std::ptrdiff_t n) { rows_.begin(n); }
+  template <bool axis>
   HWY_INLINE void add(Sums& sums, Tile& tile, std::size_t k, std::size_t sub, Places<D> at, const Pull<D>& of) const {
     sums.add(tile, k, sub, at, of);
     if constexpr (axis) {
@@ -48,13 +49,18 @@ class ForceRows {
   HWY_INLINE void put(const Sums& sums, const Tile& tile, std::size_t sub) { sums.put(tile, grid_, sub, rows_); }
   /// After all of a tile.
   HWY_INLINE void put_hoop(const Tile& tile) {
-    if constexpr (axis) Kernel::template scatter_value<D>(tile, tile.hoop, rows_, 2);
+    if (rows_.used > 2) Kernel::template scatter_value<D>(tile, tile.hoop, rows_, 2);
+  }
+  /// Adds what stands in a tile.
+  HWY_NOINLINE void pull(Tile& tile) {
+    for (std::size_t sub = 0; sub < lanes; sub += width<D>) put(Sums::of(tile, sub), tile, sub);
+    put_hoop(tile);
   }
   HWY_INLINE void close() { rows_.close(); }
 
  private:
   LaneGrid grid_;
-  Putting<D, Kernel, axis ? 3 : 2> rows_;
+  Putting<D, Kernel, 3> rows_;
 };
 
 /// Rows of mass and momentum, of the gas's mass and of what the ledger books, as far as the scene has them.

@@ -29,6 +29,8 @@ struct alignas(64) Tile {
   TileRows vx, vy;                     // velocity, by APIC; by FLIP it stands in the points' arrays
   TileRows middle_x, middle_y;         // and that at the cell's own node
   TileRows gxx, gyx, gxy, gyy;         // the field about the point, a difference from node to node [velocity]
+  TileRows rate_xx, rate_yy, rate_xy;  // strain rate, as Rates
+  TileRows rate_zz, turn;              // and of it the hoop's, and twice the spin
   TileRows pull_xx, pull_xy, pull_yy;  // V sigma [energy]
   TileRows hoop;                       // about an axis: -V sigma_theta / r [force]
   TileRows at_place;                   // a number of the nodes, at the points
@@ -146,11 +148,31 @@ struct Rates {
   V<D> xx, yy, xy, zz, turn;
 };
 
+template <class D, bool axis>
+HWY_INLINE void store_rates(const Rates<D>& of, bool turns, Tile& tile, std::size_t k, std::size_t sub) {
+  store<D>(of.xx, tile.rate_xx[k] + sub), store<D>(of.yy, tile.rate_yy[k] + sub);
+  store<D>(of.xy, tile.rate_xy[k] + sub);
+  if constexpr (axis) store<D>(of.zz, tile.rate_zz[k] + sub);
+  if (turns) store<D>(of.turn, tile.turn[k] + sub);
+}
+template <class D, bool axis>
+HWY_INLINE Rates<D> rates_of(const Tile& tile, std::size_t k, std::size_t sub) {
+  return {load<D>(tile.rate_xx[k] + sub), load<D>(tile.rate_yy[k] + sub), load<D>(tile.rate_xy[k] + sub),
+          axis ? load<D>(tile.rate_zz[k] + sub) : hn::Zero(D()), load<D>(tile.turn[k] + sub)};
+}
+
 /// V sigma of points, which pulls at nodes [energy], and about an axis the hoop's -V sigma_theta / r [force].
 template <class D>
 struct Pull {
   V<D> xx, xy, yy, hoop;
 };
+
+template <class D, bool axis>
+HWY_INLINE void store_pull(const Pull<D>& of, Tile& tile, std::size_t k, std::size_t sub) {
+  store<D>(of.xx, tile.pull_xx[k] + sub), store<D>(of.xy, tile.pull_xy[k] + sub);
+  store<D>(of.yy, tile.pull_yy[k] + sub);
+  if constexpr (axis) store<D>(of.hoop, tile.hoop[k] + sub);
+}
 
 /// Velocities of points and the fields about them, these by the difference that they make from node to node.
 template <class D>

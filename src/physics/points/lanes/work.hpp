@@ -114,21 +114,22 @@ struct LaneWork {
   LaneBody body;
   std::span<double* const> arrays = {};  // all that go with a point, the body's first slot first
   double dt = 0;
+  bool about_axis = false;
   bool records = false;       // velocities and fields about points are written, which the grid has else
   bool reads_stress = false;  // usf: the stress of gas is read before the points move
 };
 
 /// The passes over a strip of a body's rows, one table for each instruction set, with what the scheme's order asks for;
-/// those by law have it as LaneLaw counts. Strips of one round may be swept at the same time.
+/// the one by law has it as LaneLaw counts. Strips of one round may be swept at the same time.
 struct LanePasses {
   using Pass = void (*)(const LaneWork& work, Blocks::Strip strip, LaneFindings& found);
   /// musl: velocities (3.22), and their momenta back on the nodes (3.24).
   Pass accelerate_and_convect = nullptr;
   /// musl and usl: strain rate (3.23), of usl velocities (3.22), places (3.21), stress, the map (3.15), (3.16).
-  Pass strain_move_and_map[lane_laws] = {};
+  Pass strain_move_and_map = nullptr;
   /// The same in two: strain rate, velocities, places; then stress and the map, once neighbours stand at their places.
   Pass strain_and_move = nullptr;
-  Pass stress_and_map[lane_laws] = {};
+  Pass stress_and_map = nullptr;
   /// usf: strain rate (3.23), stress, force (3.16); the points stay.
   Pass strain_and_pull[lane_laws] = {};
   /// usf: velocities (3.22), places (3.21), heat of gas (4.10), mass and momentum (3.15).
