@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A bare Debian 12 in a folder of its own, for the scripts here, which source this: `make_bare_system [MIRROR]` sets root to it,
-# with a plain user named user; `in_bare_system COMMAND...` runs there as root, `as_user TEXT` has a shell run TEXT as that user.
+# with a plain user named user; `in_bare_system COMMAND...` runs there as root, `as_user TEXT` has bash run TEXT as that user.
 
 make_bare_system() {
   local mirror=${1:-$(grep -rhoE 'https?://[^ ]*debian/?( |$)' /etc/apt/sources.list /etc/apt/sources.list.d 2>/dev/null | head -1 || true)}
@@ -19,5 +19,5 @@ in_bare_system() {
 }
 
 as_user() {
-  chroot "$root" su user -c "set -e; cd; $1"
+  chroot "$root" su -s /bin/bash user -c "set -e; cd; $1"
 }
