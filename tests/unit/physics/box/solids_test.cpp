@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <numbers>
 
+#include "algebra/dense.hpp"
 #include "unit/algebra/support.hpp"
 #include "unit/alone.hpp"
 #include "unit/physics/box/bodies_support.hpp"
@@ -105,7 +106,7 @@ std::array<double, 2> swing(CoupledIntegrator integrator, double omega, double h
   for (std::size_t k = 0; k < q.size(); k += 2) q[k] += 0.01;
   for (int k = 0; k < steps; ++k) {
     equations.assemble(q, u, k * h, h);
-    const Eigen::VectorXd next = full_of(equations.A).llt().solve(vector(equations.b));
+    const Eigen::VectorXd next = solve(full_of(equations.A), vector(equations.b));
     for (std::size_t i = 0; i < q.size(); ++i)
       q[i] += h / 2 * (u[i] + next[std::ptrdiff_t(i)]), u[i] = next[std::ptrdiff_t(i)];
   }
@@ -184,9 +185,7 @@ TEST_P(Stiffness, IsTheForcesDerivative) {
 TEST_P(Stiffness, MadeConvexHasNoNegativeEigenvalues) {
   const Values q = stretched(0.5, 0.01);
   const Eigen::MatrixXd raw = at_place(q, false), convex = at_place(q, true);
-  const auto least = [](const Eigen::MatrixXd& K) {
-    return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(K).eigenvalues().minCoeff() / K.norm();
-  };
+  const auto least = [](const Eigen::MatrixXd& K) { return eigen_parts(K).values.minCoeff() / K.norm(); };
   EXPECT_LT(least(raw), -1e-3);
   EXPECT_GT(least(convex), -1e-14);
   EXPECT_GT(least(convex - raw), -1e-14);
