@@ -1,16 +1,20 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""tether reads decks as gfortran's namelist reader does, every value to the last bit: the thesis' boxes and 10,000
-generated decks."""
+"""tether reads decks as gfortran's namelist reader does, every value to the last bit: the thesis' boxes and 2,000
+generated decks, at full length 10,000."""
 import pathlib
 import re
+import sys
 import tempfile
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
+
+from full_length import FULL
 from generate import generate
 from readers import GFORTRAN, TETHER, read_all
 
 BOXES = sorted((pathlib.Path(__file__).resolve().parents[1] / "thesis-boxes").glob("*.in"))
-DECKS = 10_000
+DECKS = 10_000 if FULL else 2_000
 SHOWN = 5  # decks that differ, and differences of each
 
 OPENER = re.compile(r"\s*[$&](in|fluid|regrig|reg)\b", re.IGNORECASE)

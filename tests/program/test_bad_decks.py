@@ -8,10 +8,12 @@ import pathlib
 import resource
 import unittest
 
+from full_length import FULL
 from program import ROOT, ProgramTest, diagnostics, run
 
 FOLDER = pathlib.Path("tests/bad_decks")  # relative, as a user would type it
 MARK = "! <- here"
+AT_ONCE = 1 if FULL else 100  # decks in a call: most of what one takes is the start of the program
 
 # Mistakes that no line can be blamed for.
 PLACELESS = {"no_in", "particles_cut_off", "particles_short", "particles_single_point", "particles_two_sequences",
@@ -119,17 +121,23 @@ def marked_line(deck):
 
 
 class BadDecks(ProgramTest):
-    def refuse(self, deck):
-        """Runs the deck; the one error that holds the deck's fragment, with the lines below its head."""
-        out = self.folder / deck.stem
-        result = run(deck, "--out", out)
+    def refuse(self, *decks):
+        """Runs the decks in one call, which writes nothing; what it says."""
+        out = self.folder / "out"
+        result = run(*decks, "--out", out)
         self.assertEqual(result.returncode, 2, result.stderr)
         self.assertEqual(result.stdout, "")
         self.assertFalse(out.exists())
+        return diagnostics(result.stderr)
+
+    def the_error(self, deck, found):
+        """The one error of this deck, its particles or its mesh that holds the deck's fragment, with the lines below its
+        head."""
         fragment = expected_fragment(deck)
-        told = [(head, below) for head, below in diagnostics(result.stderr)
+        of_deck = [(head, below) for head, below in found if pathlib.Path(head["file"]).stem == deck.stem]
+        told = [(head, below) for head, below in of_deck
                 if head["severity"] == "error" and fragment in "\n".join([head["text"], *below])]
-        self.assertEqual(len(told), 1, result.stderr)
+        self.assertEqual(len(told), 1, [head.group(0) for head, _ in of_deck])
         return told[0]
 
     def check_place(self, deck, head, below):
@@ -145,15 +153,19 @@ class BadDecks(ProgramTest):
 
     def test_each_is_refused_at_its_place(self):
         decks = sorted(path.relative_to(ROOT) for path in (ROOT / FOLDER).glob("*.in"))
-        for deck in decks:
-            with self.subTest(deck=deck.name):
-                self.assertTrue(lines_of(deck)[0])
-                head, below = self.refuse(deck)
-                if deck.stem in PLACELESS:
-                    self.assertIsNone(head["line"])
-                    self.assertIn(head["file"], (str(deck), str(deck.with_suffix(".par"))))
-                else:
-                    self.check_place(deck, head, below)
+        for first in range(0, len(decks), AT_ONCE):
+            found = self.refuse(*decks[first:first + AT_ONCE])
+            for deck in decks[first:first + AT_ONCE]:
+                with self.subTest(deck=deck.name):
+                    self.check(deck, *self.the_error(deck, found))
+
+    def check(self, deck, head, below):
+        self.assertTrue(lines_of(deck)[0])
+        if deck.stem in PLACELESS:
+            self.assertIsNone(head["line"])
+            self.assertIn(head["file"], (str(deck), str(deck.with_suffix(".par"))))
+        else:
+            self.check_place(deck, head, below)
 
     def test_every_kind_of_mistake_is_there(self):
         there = {path.stem for path in (ROOT / FOLDER).glob("*.in")}
@@ -170,10 +182,10 @@ class BadDecks(ProgramTest):
             self.assertIn(text, result.stderr)
 
     def test_a_huge_grid_is_refused_before_memory_is_taken(self):
-        self.refuse(FOLDER / "huge_grid.in")
-        self.refuse(FOLDER / "huge_region.in")
-        self.refuse(FOLDER / "huge_membrane.in")
-        self.refuse(FOLDER / "coupled_huge.in")
+        decks = [FOLDER / f"{name}.in" for name in ("huge_grid", "huge_region", "huge_membrane", "coupled_huge")]
+        found = self.refuse(*decks)
+        for deck in decks:
+            self.the_error(deck, found)
         kilobytes = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # the largest of all runs up to here
         self.assertLess(kilobytes, 500_000)
 
