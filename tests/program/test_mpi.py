@@ -7,7 +7,8 @@ import signal
 import unittest
 
 import mpi
-from program import DECKS, TETHER
+from full_length import FULL
+from program import DECKS, ROOT, TETHER
 from sweeps import SweepTest, rows_of
 from waiting import PATIENCE, wait_until
 
@@ -63,17 +64,18 @@ class Equal(SweepTest):
         self.same(self.both("chart", study), "chart.csv")
 
     def test_published_problems(self):
-        tables = []
+        problems, tables = ("sod", "two-bar" if FULL else "noise"), []
         for command in (self.expect, lambda code, *words: mpi.run(*words, folder=DECKS.parent)):
             name = self.folder / f"{len(tables)}.md"
-            command(0, "reproduce", "sod", "two-bar", "--quiet", "--out", self.folder / f"r{len(tables)}", "--write", name)
+            command(0, "reproduce", *problems, "--quiet", "--out", self.folder / f"r{len(tables)}", "--write", name)
             tables.append([line for line in name.read_text().splitlines() if "--write" not in line])
         self.assertGreater(len(tables[0]), 10)
         self.assertEqual(*tables)
 
     def test_settings_found(self):
-        words = (DECKS / "bar-vibration.in", "--auto", ".03", "--threads", "1")
-        alone, by_three = self.both(*words)
+        ring = (ROOT / "tests/auto/decks/ring.in", "--set", "auto.quantity='last(point_x_1) - first(point_x_1)'")
+        deck = (DECKS / "bar-vibration.in",) if FULL else ring
+        alone, by_three = self.both(*deck, "--auto", ".03", "--threads", "1")
         values = []  # which runs are made depends on what runs cost; what they come to does not
         for folder in (alone, by_three):
             self.assertTrue((folder / "chosen.in").exists())
@@ -86,11 +88,22 @@ class Equal(SweepTest):
 class Deaths(SweepTest):
     """Twelve runs of some tenths of a second; something is killed when the first ones have ended."""
 
+    END = ".1" if FULL else ".05"
+
+    @classmethod
+    def setUpClass(cls):
+        """The study and its table by one program, once for all tests."""
+        super().setUpClass()
+        case = SweepTest()
+        case.setUp()
+        cls.addClassCleanup(case.doCleanups)
+        cls.slow = case.study("decks='../decks/sod.in', axis='fluid.gm1=.40,.41,.42,.43,.44,.45,.46,.47,.48,.49,.50,.51'\n"
+                              f"set='in.tmax={cls.END}','in.nx=401','in.tstep=4.e-5', quantities='error_density'")
+        case.sweep(cls.slow)
+        cls.whole = without_cost(case.out / "table.csv")
+
     def setUp(self):
         super().setUp()
-        self.slow = self.study("decks='../decks/sod.in', axis='fluid.gm1=.40,.41,.42,.43,.44,.45,.46,.47,.48,.49,.50,.51'\n"
-                               "set='in.tmax=.1','in.nx=401','in.tstep=4.e-5', quantities='error_density'")
-        self.sweep(self.slow, out=self.folder / "alone")
         self.words = ("sweep", self.slow, "--quiet", "--out", self.out)
 
     def finished(self):
@@ -106,7 +119,7 @@ class Deaths(SweepTest):
         return process.returncode, before
 
     def is_whole(self):
-        self.assertEqual(without_cost(self.out / "table.csv"), without_cost(self.folder / "alone/table.csv"))
+        self.assertEqual(without_cost(self.out / "table.csv"), self.whole)
 
     def test_a_program_that_does_runs(self):
         code, before = self.killed(lambda: mpi.served_by(mpi.carriers()[2]))
@@ -125,7 +138,7 @@ class Deaths(SweepTest):
     def test_a_program_in_the_first_of_two_charts(self):
         """The second chart has one program less."""
         first, second = (self.study("mode='chart', decks='../decks/sod.in', is='error_density', exact='0'\n"
-                                    f"set='in.tmax=.1','in.tstep=4.e-5','fluid.gm1={gm1}'\n"
+                                    f"set='in.tmax={self.END}','in.tstep=4.e-5','fluid.gm1={gm1}'\n"
                                     "family(1)='points', cells(1,1)='in.nx=201,401,411,421,431,441'", f"studies/{name}.in")
                          for name, gm1 in (("a", ".4"), ("b", ".41")))
         self.words = ("chart", first, second, "--quiet", "--out", self.out)

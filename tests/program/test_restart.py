@@ -13,13 +13,15 @@ import unittest
 
 import numpy
 
+from full_length import FULL
 from program import DECKS, ProgramTest, history, netcdf, records, sets
 from waiting import wait_until
 
-KILLS = 50
+KILLS = 50 if FULL else 12
 
-# A run of some seconds, with 1430 records.
-LONG = (DECKS / "sod.in", *sets(**{"in__nx": 201, "in__tstep": 5e-6, "in__iout(33)": 1, "in__tiout(33)": 1e-4}))
+# A run of some seconds, with 1430 records and 71 snapshots, or of the half.
+LONG = (DECKS / "sod.in", *sets(**{"in__nx": 201, "in__tstep": 5e-6, "in__iout(33)": 1, "in__tiout(33)": 1e-4,
+                                   "in__iout(13)": 1, "in__tiout(13)": 2e-3, "in__tmax": 0.143 if FULL else 0.0715}))
 
 
 def number_of(checkpoint):
@@ -39,6 +41,15 @@ def is_whole(path):
 
 
 class Restart(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        """The long run that nothing stops, once for all tests."""
+        super().setUpClass()
+        case = ProgramTest()
+        case.setUp()
+        cls.addClassCleanup(case.doCleanups)
+        cls.whole = case.run_ok(*LONG)
+
     def start_long(self, *options, out="out"):
         """Starts the long run; returns its process and folder."""
         folder = self.folder / out
@@ -50,22 +61,21 @@ class Restart(ProgramTest):
         wait_until(lambda: records(folder) > 100, "the hundredth record", process)
         return folder, self.stop(process, number)[1]
 
-    def same_numbers(self, whole, parts):
+    def same_numbers(self, parts):
         for name in ("history.nc", "particles.nc", "mesh.nc"):
-            left, right = netcdf(whole / name), netcdf(parts / name)
+            left, right = netcdf(self.whole / name), netcdf(parts / name)
             self.assertEqual(left.keys(), right.keys())
             for variable in left:
                 self.assertEqual(left[variable].tobytes(), right[variable].tobytes(), f"{variable} of {name}")
 
     def test_a_signal_ends_the_run_with_a_checkpoint_from_which_it_goes_on(self):
-        whole = self.run_ok(*LONG, out="whole")
         for number in (signal.SIGTERM, signal.SIGINT):
             folder, stderr = self.stopped(out=number.name, number=number)
             newest = checkpoints(folder)[0]
             self.assertIn(f"the same command goes on with --restart {newest}", stderr)
             self.assertFalse((folder / "summary.txt").exists())
             self.run_ok(*LONG, "--restart", newest, out=number.name)
-            self.same_numbers(whole, folder)
+            self.same_numbers(folder)
             self.assertIn("goes on from", (folder / "messages.txt").read_text())
             self.assertEqual(list(folder.glob("*.earlier")), [])
 
@@ -98,9 +108,7 @@ class Restart(ProgramTest):
                 self.assertTrue(numpy.array_equal(netcdf(folder / "history.nc")["time"][:len(kept)], kept[:, 0]))
 
     def test_a_kill_during_the_restart_costs_nothing(self):
-        options = sets(**{"in__iout(13)": 1, "in__tiout(13)": 2e-3})
-        whole = self.run_ok(*LONG, *options, out="whole")
-        folder, _ = self.stopped(*options)
+        folder, _ = self.stopped()
         newest, kept = checkpoints(folder)[0], records(folder)
         lock, messages = folder / "lock", folder / "messages.txt"
         text = lambda path: path.read_text() if path.exists() else ""
@@ -114,11 +122,11 @@ class Restart(ProgramTest):
                               ("a new record", lambda _: records(folder) > kept)):
             for name in ("messages.txt", "history.txt"):
                 (folder / name).unlink(missing_ok=True)
-            process, _ = self.start_long(*options, "--restart", newest)
+            process, _ = self.start_long("--restart", newest)
             wait_until(lambda: is_seen(process), what, process)
             self.stop(process, signal.SIGKILL)
-        self.run_ok(*LONG, *options, "--restart", newest, out="out")
-        self.same_numbers(whole, folder)
+        self.run_ok(*LONG, "--restart", newest, out="out")
+        self.same_numbers(folder)
 
     def test_a_switch_writes_them_and_the_two_newest_stay(self):
         deck = DECKS / "spring-mass.in"
@@ -140,18 +148,17 @@ class Restart(ProgramTest):
         self.assertEqual(after[-1], 0.15)
 
     def test_another_folder_gets_all_of_it(self):
-        whole = self.run_ok(*LONG, out="whole")
         folder, _ = self.stopped()
         before = (folder / "history.txt").read_bytes()
         self.run_ok(*LONG, "--restart", checkpoints(folder)[0], out="elsewhere")
-        self.same_numbers(whole, self.folder / "elsewhere")
+        self.same_numbers(self.folder / "elsewhere")
         self.assertEqual((folder / "history.txt").read_bytes(), before)
 
     def test_lost_snapshots_are_told_and_the_run_goes_on(self):
         folder, _ = self.stopped()
         (folder / "particles.nc").write_bytes(b"no NetCDF")
         result = self.expect(0, *LONG, "--out", folder, "--restart", checkpoints(folder)[0])
-        self.assertIn("1 of 1 earlier snapshots are lost", result.stderr)
+        self.assertRegex(result.stderr, r"\b([1-9]\d*) of \1 earlier snapshots are lost")
 
     def with_snapshots(self):
         """A finished run with snapshots, its options, and a copy of its older checkpoint in another folder."""
