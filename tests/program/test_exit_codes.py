@@ -7,6 +7,7 @@ import unittest
 
 import numpy
 
+from full_length import FULL
 from program import DECKS, ProgramTest, history, netcdf, run, sets
 
 # An elastic block of 8 points in cells of .1 that flies to the right at 1: it passes x = .5, an open edge, at t = .325.
@@ -113,13 +114,13 @@ class DoneAndWrongInput(Blocks):
         names = ("in.xleft", "in.xright", "in.ytop", "in.tmax", "in.gravc", "reg.xvi(1,1)", "reg.nvi(1)", "reg.rex(1)",
                  "reg.densir(1)", "reg.matr(1,1)", "reg.matr(2,1)", "reg.vrx(1)", "mpm.cfl", "in.tiout(33)")
         for name in names:
-            for value in ("-1e308", "0", "1e-320", "1e-300", "5", "1e308"):
+            for value in ("-1e308", "0", "1e-320", "1e-300", "5", "1e308") if FULL else ("-1e308", "1e-320", "1e308"):
                 self.survives(self.deck, *([] if name == "in.tmax" else sets(in__tmax=0.005)),
                               "--set", f"{name}={value}")
 
     def test_no_number_of_a_gas_crashes_the_program(self):
         for name in ("gm1", "siep(1)", "mu", "lambda", "coef1", "coef2"):
-            for value in ("-1e308", "-1", "0", "1e-300", "1e308"):
+            for value in ("-1e308", "-1", "0", "1e-300", "1e308") if FULL else ("-1", "1e-300", "1e308"):
                 self.survives(DECKS / "sod.in", *sets(in__tmax=0.001), "--set", f"fluid.{name}={value}")
 
     def test_a_scene_beyond_its_exact_solution(self):

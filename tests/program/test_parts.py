@@ -6,6 +6,7 @@ import subprocess
 import unittest
 
 import mpi
+from full_length import FULL
 from program import DECKS, TETHER, records
 from sweeps import SweepTest, rows_of
 from waiting import PATIENCE, wait_until
@@ -97,7 +98,7 @@ class Parts(SweepTest):
         self.sweep(study)
         before = without_cost(self.out / "table.csv")
         words = [TETHER, "sweep", str(study), "--out", str(self.out), "--collect", "--quiet"]
-        for _ in range(5):
+        for _ in range(5 if FULL else 2):
             (self.out / "runs/index.txt").unlink(missing_ok=True)
             all_at_once = [subprocess.Popen(words, stdin=subprocess.DEVNULL) for _ in range(8)]
             self.assertEqual([process.wait(timeout=PATIENCE) for process in all_at_once], [0] * 8)

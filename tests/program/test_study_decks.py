@@ -4,6 +4,7 @@ import math
 import pathlib
 import unittest
 
+from full_length import FULL
 from program import DECKS
 from sweeps import SweepTest
 
@@ -65,7 +66,7 @@ class StudyDecks(SweepTest):
     def test_membrane_expansion(self):
         """Simulation 1: the robust method's radius varies less with the step than the thesis', and keeps the energy."""
         decks = "'../membrane-expansion-1.in', '../membrane-expansion-2.in', '../membrane-expansion-3.in'"
-        self.shortened("membrane-expansion", (decks, "'../membrane-expansion-1.in'"), ("runs=10", "runs=5"),
+        self.shortened("membrane-expansion", (decks, "'../membrane-expansion-1.in'"), ("runs=10", f"runs={5 if FULL else 3}"),
                        ("set=", "set='in.tmax=6.0', "))
         thesis, robust = self.table("outcome")
         # By the thesis' method one run in fifteen ends early, whatever the step's last digits: of 120 runs up to t = 7.5
@@ -91,7 +92,7 @@ class StudyDecks(SweepTest):
         """A five times longer step: the ball flies back from the thicker net, the robust method's run like run."""
         deck = self.folder / "decks/ball-net.in"
         deck.write_text(deck.read_text().replace("tstep=0.0001d0", "tstep=0.0005d0"))
-        self.shortened("ball-net", ("runs=10", "runs=3"), ("=0.125,0.0125", "=0.125"))
+        self.shortened("ball-net", ("runs=10", f"runs={3 if FULL else 2}"), ("=0.125,0.0125", "=0.125"))
         thesis, robust = self.table("outcome")
         for row in (thesis, robust):
             self.assertTrue(-1 < number(row, "mean_last_body_vx_1") < -0.4, row)
