@@ -18,10 +18,26 @@ def by_paraview(paths):
     return json.loads(done.stdout[done.stdout.index("{"):])
 
 
+# Deck, options and series of each run.
+RUNS = {"points": ("gas-expansion", ("--set", "in.iout(13)=1", "--set", "in.tiout(13)=.01", *FIELDS), ("particles", "mesh")),
+        "elements": ("cylinder", (), ("mesh",)),
+        "box": ("coupled-paddle-3d", ("--set", "in.tmax=.1"), ("mesh", "solids"))}
+
+
 class ParaView(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        """All runs, and what ParaView, which takes seconds to start, reads of them."""
+        super().setUpClass()
+        case = ProgramTest()
+        case.setUp()
+        cls.addClassCleanup(case.doCleanups)
+        cls.out = {name: case.run_ok(DECKS / f"{deck}.in", *words, out=name) for name, (deck, words, _) in RUNS.items()}
+        cls.found = by_paraview([cls.out[name] / f"{series}.pvd" for name, run in RUNS.items() for series in run[2]])
+
     def compare(self, folder, name, vectors, numbers, where="of_points"):
         """The last record of NAME.nc, and what ParaView reads of NAME.pvd."""
-        found = by_paraview([folder / f"{name}.pvd"])[str(folder / f"{name}.pvd")]
+        found = self.found[str(folder / f"{name}.pvd")]
         self.assertEqual(found["reader"], "PVDReader")
         with netCDF4.Dataset(folder / f"{name}.nc") as data:
             self.assertEqual(found["times"], data["time"][:].tolist())
@@ -34,7 +50,7 @@ class ParaView(ProgramTest):
         return found
 
     def test_points_and_the_nodes_of_their_grid(self):
-        out = self.run_ok(DECKS / "gas-expansion.in", "--set", "in.iout(13)=1", "--set", "in.tiout(13)=.01", *FIELDS)
+        out = self.out["points"]
         points = self.compare(out, "particles", {"points": ("x", "y"), "v": ("vx", "vy")}, ("pressure", "sxx", "id"))
         self.assertEqual(points["cells"][7], [7])
         grid = self.compare(out, "mesh", {"v": ("vx", "vy"), "force": ("force_x", "force_y")}, ("mass", "pressure"))
@@ -43,14 +59,14 @@ class ParaView(ProgramTest):
         self.assertLess(numpy.abs(numpy.array(grid["points"]) - places).max(), 1e-12)
 
     def test_elements_of_nine_nodes(self):
-        out = self.run_ok(DECKS / "cylinder.in")
+        out = self.out["elements"]
         mesh = self.compare(out, "mesh", {"points": ("x", "y"), "v": ("vx", "vy")}, ("p", "stream"))
         with netCDF4.Dataset(out / "mesh.nc") as data:
             self.assertEqual(mesh["cells"], data["element_nodes"][:50].tolist())
             self.assertEqual(mesh["of_cells"]["region"], data["element_region"][:].tolist())
 
     def test_a_box_in_space_and_the_bodies_in_it(self):
-        out = self.run_ok(DECKS / "coupled-paddle-3d.in", "--set", "in.tmax=.1")
+        out = self.out["box"]
         box = self.compare(out, "mesh", {"v": ("vx", "vy", "vz")}, ("p", "kind"), "of_cells")
         with netCDF4.Dataset(out / "mesh.nc") as data:
             low = [data[f"{axis}_bounds"][0, 0] for axis in "xyz"]
