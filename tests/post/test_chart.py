@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """post/chart.py on a chart made here: which runs none beats, what is drawn, and what is refused."""
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -13,6 +12,7 @@ POST = Path(__file__).resolve().parents[2] / "post"
 sys.path.insert(0, str(POST))
 
 import chart
+from called import call
 
 NAN = float("nan")
 FAMILIES = ["points", "points", "points", "elements", "elements", "elements"]
@@ -37,9 +37,6 @@ class ChartTest(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
 
-    def chart(self, *words):
-        return subprocess.run([sys.executable, POST / "chart.py", *map(str, words)], capture_output=True, text=True)
-
     def test_the_front_has_the_runs_that_none_beats(self):
         best = chart.front(numpy.array(NUMBERS["cpu_seconds"], float), numpy.array(NUMBERS["error"], float))
         self.assertEqual(best, [0, 1, 4])
@@ -60,22 +57,22 @@ class ChartTest(unittest.TestCase):
 
     def test_the_figure_stands_beside_the_chart(self):
         write_chart(self.folder / "chart.nc", NUMBERS)
-        result = self.chart(self.folder / "chart.nc")
+        result = call("chart", self.folder / "chart.nc", alone=True)
         self.assertEqual((result.returncode, result.stdout.strip()), (0, str(self.folder / "chart.svg")), result.stderr)
         self.assertIn("<svg", (self.folder / "chart.svg").read_text())
 
     def test_what_is_no_chart_is_refused(self):
         write_chart(self.folder / "table.nc", {name: values for name, values in NUMBERS.items() if name != "error"})
-        result = self.chart(self.folder / "table.nc")
+        result = call("chart", self.folder / "table.nc")
         self.assertEqual(result.returncode, 2)
         self.assertIn("is no chart: it has no error", result.stderr)
         write_chart(self.folder / "failed.nc", {**NUMBERS, "error": [NAN] * 6})
-        self.assertEqual(self.chart(self.folder / "failed.nc").returncode, 2)
-        self.assertEqual(self.chart(self.folder / "none.nc").returncode, 2)
+        self.assertEqual(call("chart", self.folder / "failed.nc").returncode, 2)
+        self.assertEqual(call("chart", self.folder / "none.nc").returncode, 2)
 
     def test_a_figure_that_cannot_be_written_is_told(self):
         write_chart(self.folder / "chart.nc", NUMBERS)
-        result = self.chart(self.folder / "chart.nc", "--out", "/dev/null/chart.svg")
+        result = call("chart", self.folder / "chart.nc", "--out", "/dev/null/chart.svg")
         self.assertEqual(result.returncode, 4)
 
 

@@ -2,7 +2,6 @@
 """post/compare.py on histories whose differences are known, and on two runs of the program."""
 import csv
 import os
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -16,6 +15,7 @@ import netCDF4
 import numpy
 
 import tether_results
+from called import FULL, call
 
 PROGRAM = os.environ["TETHER"]
 TIMES = numpy.linspace(0, 1, 11)
@@ -37,8 +37,8 @@ class CompareTest(unittest.TestCase):
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
 
-    def compare(self, *words, code=0):
-        result = subprocess.run([sys.executable, POST / "compare.py", *map(str, words)], capture_output=True, text=True)
+    def compare(self, *words, code=0, alone=FULL):
+        result = call("compare", *words, alone=alone)
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertNotIn("Traceback", result.stderr)
         return result
@@ -50,7 +50,7 @@ class CompareTest(unittest.TestCase):
     def test_largest_and_rms_differences_over_the_range(self):
         one = write_run(self.folder / "one", height=2 * TIMES + 0.5 * (TIMES == 1), alone=TIMES)
         other = write_run(self.folder / "other", height=2 * TIMES, mass=TIMES)
-        result = self.compare(one, other, "--out", self.folder / "out")
+        result = self.compare(one, other, "--out", self.folder / "out", alone=True)
         row = self.rows(self.folder / "out")["height"]
         self.assertEqual(float(row["largest_difference"]), 0.5)
         self.assertAlmostEqual(float(row["rms_difference"]), 0.5 / numpy.sqrt(11))

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """post/map.py and post/report.py on maps and charts made here: what is drawn, what stands on the page, what is refused."""
 import re
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -14,6 +13,7 @@ POST = Path(__file__).resolve().parents[2] / "post"
 sys.path.insert(0, str(POST))
 
 import map as stability_map
+from called import call
 
 NAN = float("nan")
 VERDICTS = {"square": [1, 2, 3, 4, 5, 6], "in.xleft": [0, 1, 2, 0, 1, 2], "mpm.cfl": [1, 1, 1, 2, 2, 2],
@@ -47,9 +47,6 @@ class MapTest(unittest.TestCase):
         scratch = tempfile.TemporaryDirectory()
         self.addCleanup(scratch.cleanup)
         self.folder = Path(scratch.name)
-
-    def script(self, name, *words):
-        return subprocess.run([sys.executable, POST / name, *map(str, words)], capture_output=True, text=True)
 
     def draw(self, columns):
         return stability_map.draw(*stability_map.read(write(self.folder / "map.nc", columns)))
@@ -86,12 +83,12 @@ class MapTest(unittest.TestCase):
 
     def test_the_figure_stands_next_to_the_map(self):
         path = write(self.folder / "map.nc", VERDICTS)
-        result = self.script("map.py", path)
+        result = call("map", path, alone=True)
         self.assertEqual((result.returncode, result.stdout.strip()), (0, str(path.with_suffix(".svg"))), result.stderr)
-        self.assertEqual(self.script("map.py", path, "--out", "/dev/null/map.svg").returncode, 4)
+        self.assertEqual(call("map", path, "--out", "/dev/null/map.svg").returncode, 4)
 
     def test_what_is_no_map_is_refused(self):
-        result = self.script("map.py", write(self.folder / "table.nc", CHART))
+        result = call("map", write(self.folder / "table.nc", CHART))
         self.assertEqual(result.returncode, 2)
         self.assertIn("is no map of tether map", result.stderr)
 
@@ -99,7 +96,7 @@ class MapTest(unittest.TestCase):
         write(self.folder / "one/map.nc", VERDICTS)
         write(self.folder / "two/chart.nc", CHART, "a chart")
         out = self.folder / "page/report.html"
-        result = self.script("report.py", self.folder / "one", self.folder / "two", "--out", out)
+        result = call("report", self.folder / "one", self.folder / "two", "--out", out, alone=True)
         self.assertEqual((result.returncode, result.stdout.strip()), (0, str(out)), result.stderr)
         page = out.read_text()
         for text in ("one (map)", "two (chart)", "a &lt;map&gt; &amp; more", "the border &lt;here&gt;", "x &lt;deck&gt;", "tether map x.in", "tether 1, abc", "<td>inverts</td>"):
@@ -110,7 +107,7 @@ class MapTest(unittest.TestCase):
     def test_a_chart_without_errors_has_its_words_on_the_page(self):
         write(self.folder / "one/chart.nc", {**CHART, "error": [NAN, NAN]})
         out = self.folder / "report.html"
-        self.assertEqual(self.script("report.py", self.folder / "one", "--out", out).returncode, 0)
+        self.assertEqual(call("report", self.folder / "one", "--out", out).returncode, 0)
         self.assertIn("no run has an error that a logarithm shows", out.read_text())
 
     def test_hatches_fill_their_squares_on_any_scale(self):
@@ -124,19 +121,19 @@ class MapTest(unittest.TestCase):
         for part in ("charts", "maps"):
             write(self.folder / part / "sod/map.nc", VERDICTS)
         out = self.folder / "report.html"
-        self.assertEqual(self.script("report.py", self.folder / "charts/sod", self.folder / "maps/sod", "--out", out).returncode, 0)
+        self.assertEqual(call("report", self.folder / "charts/sod", self.folder / "maps/sod", "--out", out).returncode, 0)
         ids = re.findall(r'<h2 id="([^"]*)"', out.read_text())
         self.assertEqual(len(set(ids)), 2)
         self.assertEqual(re.findall(r'href="#([^"]*)"', out.read_text()), ids)
 
     def test_a_folder_that_lacks_a_file_is_refused(self):
         write(self.folder / "one/map.nc", VERDICTS).with_suffix(".csv").unlink()
-        result = self.script("report.py", self.folder / "one", "--out", self.folder / "report.html")
+        result = call("report", self.folder / "one", "--out", self.folder / "report.html")
         self.assertEqual((result.returncode, "Traceback" in result.stderr), (2, False), result.stderr)
 
     def test_folders_without_either_are_refused(self):
         (self.folder / "none").mkdir()
-        result = self.script("report.py", self.folder / "none")
+        result = call("report", self.folder / "none")
         self.assertEqual(result.returncode, 2)
         self.assertIn("no chart.nc and no map.nc", result.stderr)
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """post/plot.py on small runs made here and on runs of the program: which pictures appear, and what is drawn in them."""
 import os
-import subprocess
 import sys
 import unittest
 from pathlib import Path
@@ -19,6 +18,7 @@ import numpy
 from matplotlib import image
 
 import tether_results
+from called import call
 from scene import choose, profiles
 from small_runs import FolderTest, PLACES, TIMES, write_history, write_particles
 
@@ -29,10 +29,6 @@ def coloured_share(path):
     """Share of the pixels that are neither white, grey nor black: axes and letters have no colour, data have."""
     pixels = image.imread(path)[:, :, :3]
     return float(numpy.mean(pixels.max(axis=2) - pixels.min(axis=2) > 0.2))
-
-
-def plot(*words):
-    return subprocess.run([sys.executable, POST / "plot.py", *map(str, words)], capture_output=True, text=True)
 
 
 class PlotTest(FolderTest):
@@ -55,7 +51,7 @@ class CommandLine(PlotTest):
         write_history(self.folder)
         write_particles(self.folder)
         self.reference("# x density velocity pressure specific_energy\n0 0 0 0 0\n1 1 1 1 1\n")
-        result = plot(self.folder)
+        result = call("plot", self.folder, alone=True)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.pictures(), ["fields.png", "histories.png", "profiles.png"])
         for name in self.pictures():
@@ -64,7 +60,7 @@ class CommandLine(PlotTest):
     def test_draws_only_what_there_is_where_it_should_and_says_what_is_missing(self):
         write_history(self.folder, bodies=False)
         other = self.folder / "deep" / "figures"
-        result = plot(self.folder, "--out", other)
+        result = call("plot", self.folder, "--out", other)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(self.pictures(other), ["histories.png"])
         self.assertEqual(self.pictures(), [])
@@ -73,7 +69,7 @@ class CommandLine(PlotTest):
         self.assertIn("iout(13)=1", missing)
 
     def check_refused(self, *needles, words=()):
-        result = plot(self.folder, *words)
+        result = call("plot", self.folder, *words)
         self.assertEqual(result.returncode, 2, result.stderr)
         for needle in needles:
             self.assertIn(needle, result.stderr)
@@ -108,7 +104,7 @@ class CommandLine(PlotTest):
     def test_reports_that_it_cannot_write(self):
         write_history(self.folder)
         (self.folder / "taken").write_text("")
-        result = plot(self.folder, "--out", self.folder / "taken")
+        result = call("plot", self.folder, "--out", self.folder / "taken")
         self.assertEqual(result.returncode, 4)
         self.assertIn("taken", result.stderr)
 

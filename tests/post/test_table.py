@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """post/table.py on a table made here: which lines are drawn, and what is refused."""
-import os
-import subprocess
 import sys
 import tempfile
 import unittest
@@ -14,6 +12,7 @@ POST = Path(__file__).resolve().parents[2] / "post"
 sys.path.insert(0, str(POST))
 
 import table
+from called import FULL, call
 
 NAN = float("nan")
 NUMBERS = {"in.nx": [21, 11, 21, 11, 41], "error": [-1, 2, 3, 4, NAN], "cpu_seconds": [1, 2, 3, 4, 5]}
@@ -43,11 +42,6 @@ class TableTest(unittest.TestCase):
         self.folder = Path(scratch.name)
         self.table = self.folder / "table.nc"
         write_table(self.table)
-
-    def call(self, *words):
-        environment = os.environ | {"MPLBACKEND": "Agg"}
-        return subprocess.run([sys.executable, POST / "table.py", self.table, *words], capture_output=True, text=True,
-                              env=environment)
 
     def drawn(self, *words):
         """The axes, and its curves by label as lists of (x, y)."""
@@ -82,20 +76,19 @@ class TableTest(unittest.TestCase):
         axes, curves = self.drawn()
         self.assertEqual((axes.get_xlabel(), axes.get_ylabel()), ("in.nx", "error"))
         self.assertEqual(list(curves.values()), [[[11, 2], [11, 4], [21, -1], [21, 3]]])
-        environment = os.environ | {"MPLBACKEND": "Agg"}
-        result = subprocess.run([sys.executable, POST / "plot.py", self.folder], capture_output=True, text=True, env=environment)
+        result = call("plot", self.folder)
         self.assertEqual((result.returncode, result.stdout.strip()), (0, str(self.folder / "table.png")), result.stderr)
         self.assertIn("A study of one thing", table.command.title_of(self.table))
 
     def test_writes_the_figure_where_it_is_told(self):
         for words, path in (([], self.folder / "error-over-in.nx.png"),
                             (["--out", self.folder / "deep" / "f.png"], self.folder / "deep" / "f.png")):
-            result = self.call("--x", "in.nx", "--y", "error", *words)
+            result = call("table", self.table, "--x", "in.nx", "--y", "error", *words, alone=FULL or not words)
             self.assertEqual((result.returncode, result.stdout.strip()), (0, str(path)), result.stderr)
             self.assertGreater(path.stat().st_size, 1000)
 
     def check_refused(self, code, needle, *words):
-        result = self.call(*words)
+        result = call("table", self.table, *words)
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertIn(needle, result.stderr)
         self.assertNotIn("Traceback", result.stderr)
