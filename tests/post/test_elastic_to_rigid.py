@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """post/elastic_to_rigid.py: distances fall like 1/E to the same steps' rigid body, not to the exact one; exit codes."""
 import os
-import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-SCRIPT = ROOT / "post" / "elastic_to_rigid.py"
 sys.path.insert(0, str(ROOT / "post"))
 
 import elastic_to_rigid
+from called import call
 from matplotlib import pyplot
 from thesis_figures.runs import Runs
 
@@ -59,8 +58,7 @@ class ElasticToRigid(unittest.TestCase):
         self.assertEqual(float(first.split()[2]), 0)
 
     def check_refused(self, code, needle, *words):
-        result = subprocess.run([sys.executable, SCRIPT, "--out", self.folder / "out", *words], capture_output=True,
-                                text=True)
+        result = call("elastic_to_rigid", "--out", self.folder / "out", *words)
         self.assertEqual(result.returncode, code, result.stderr)
         self.assertIn(needle, result.stderr)
         self.assertNotIn("Traceback", result.stderr)

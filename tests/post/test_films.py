@@ -22,6 +22,7 @@ import film
 import tether_results
 from scene import choose
 from thesis_figures import coupled
+from called import call
 from small_runs import DeckTest
 
 PROGRAM = os.environ["TETHER"]
@@ -82,7 +83,7 @@ class Films(FilmTest):
         for code, needle, words in ((2, "has no history.nc", [self.folder]), (2, "iout(39)=1", [self.silent.folder]),
                                     (2, "no field dust", [self.bar.folder, "--field", "dust"]),
                                     (4, "taken", [self.bar.folder, "--out", self.folder / "taken" / "film.gif"])):
-            result = subprocess.run([sys.executable, POST / "film.py", *words], capture_output=True, text=True)
+            result = call("film", *words)
             self.assertEqual(result.returncode, code, result.stderr)
             self.assertIn(needle, result.stderr)
             self.assertNotIn("Traceback", result.stderr)

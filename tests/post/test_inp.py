@@ -3,11 +3,12 @@
 import os
 import pathlib
 import subprocess
-import sys
 import tempfile
 import unittest
 
 import numpy
+
+from called import FULL, call
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -50,8 +51,8 @@ class Inp(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def convert(self, code, *words):
-        done = subprocess.run([sys.executable, ROOT / "post/inp.py", *map(str, words)], capture_output=True, text=True)
+    def convert(self, code, *words, alone=FULL):
+        done = call("inp", *words, alone=alone)
         self.assertEqual(done.returncode, code, done.stderr)
         return done
 
@@ -64,7 +65,7 @@ class Inp(unittest.TestCase):
     def test_a_deck_runs_with_its_sets(self):
         (self.folder / "plate.inp").write_text(PLATE)
         (self.folder / "plate.in").write_text(DECK)
-        done = self.convert(0, self.folder / "plate.inp")
+        done = self.convert(0, self.folder / "plate.inp", alone=True)
         self.assertIn("region 'LEFT', region 'RIGHT', side 'CLAMP', side 'PULL', nodes 'TIP'", done.stdout)
         self.assertIn("the element set ALL is left without elements", done.stdout)
         end = self.run_deck()
