@@ -5,12 +5,15 @@ import unittest
 
 import numpy
 
+from full_length import FULL
 from program import DECKS, ProgramTest, history, sets
 
 GRAVITY = -9.81
-# How long each runs: until what it shows has begun.
+# How long each runs: until what it shows has begun; by default for less in space.
 SCENES = {"archimedes": 0.5, "balloon": 1.0, "bar": 1.0, "bar-3d": 0.3, "blocks": 0.25, "paddle": 1.0, "paddle-3d": 0.3,
           "piston": 1.0, "sheets": 0.5, "sheets-3d": 0.2, "toy": 1.0, "toy-3d": 0.3}
+if not FULL:
+    SCENES |= {"bar-3d": 0.1, "sheets-3d": 0.1, "toy-3d": 0.2}
 SPRUNG = {"piston"}  # the spring's force stands in no column
 WITH_WEIGHT = {"archimedes", "balloon", "blocks", "paddle", "paddle-3d", "toy", "toy-3d"}
 CAVITIES = {"balloon", "toy", "toy-3d"}
