@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Commands of post/ as users call them. By default most are called in the test's own process: a start of Python and of the
-packages that they need takes longer than what they do."""
+"""Commands of post/ as users call them. By default most are called in the test's own process: a start of Python and of
+the packages that they need takes longer than what they do."""
 import contextlib
 import importlib
 import io

@@ -33,7 +33,8 @@ PROGRAM = Path(os.environ["TETHER"])
 
 # Ends of the runs of decks that begin so: the longest would take 350,000 steps.
 SHORT = {"pendulum": 0.3, "membrane-expansion-1": 0.1, "membrane-expansion": 0.01, "cyl-": 0.003, "ball-net": 0.4,
-         "cylinder-expansion": 0.005, "l-block": 12.0 if FULL else 6.5, "two-flaps": 0.02, "coupled-bar": 0.07, "coupled": 0.2}
+         "cylinder-expansion": 0.005, "l-block": 12.0 if FULL else 6.5, "two-flaps": 0.02, "coupled-bar": 0.07,
+         "coupled": 0.2}
 
 
 # The bar in space and the toy in the plane are drawn the same way.
@@ -60,11 +61,12 @@ def coloured_share(path):
 
 @contextlib.contextmanager
 def less_drawn():
-    """By default: the corners of the map of splitting, of one material, two runs a curve of costs, and each scene in space
-    at one time."""
+    """By default: the corners of the map of splitting, of one material, two runs a curve of costs, and each scene in
+    space at one time."""
     one_time = {deck: dataclasses.replace(shown, times=shown.times[-1:])
                 for deck, shown in coupled.SHOWN.items() if deck.endswith("3d")}
-    corners = {"RATIOS": splitting.RATIOS[::5], "LENGTHS": splitting.LENGTHS[::4], "MATERIALS": splitting.MATERIALS[1:2]}
+    corners = {"RATIOS": splitting.RATIOS[::5], "LENGTHS": splitting.LENGTHS[::4],
+               "MATERIALS": splitting.MATERIALS[1:2]}
     costs = {name: getattr(cost, name)[:2] for name in ("SOD", "BARS", "MEMBRANES")}
     with (mock.patch.multiple(splitting, **corners), mock.patch.multiple(cost, **costs),
           mock.patch.dict(coupled.SHOWN, one_time)):

@@ -110,7 +110,8 @@ class Fields(PageTest):
         """Those of points, of elements and of pictures are in other tests."""
         decks = [("coupled-bar", {"in.tmax": 0.2}, 2048)]
         if FULL:
-            decks += [("sod", {"in.tmax": 0.02}, 900), ("rigid-free", {"in.tmax": 1.0, "in.iout(39)": 1, "in.tiout(39)": 0.5}, 1)]
+            decks += [("sod", {"in.tmax": 0.02}, 900),
+                      ("rigid-free", {"in.tmax": 1.0, "in.iout(39)": 1, "in.tiout(39)": 0.5}, 1)]
         for deck, values, least in decks:
             with self.subTest(deck=deck):
                 self.assertGreaterEqual(self.shapes(self.shown(self.run_of(deck, values))), least)

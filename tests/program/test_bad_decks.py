@@ -131,8 +131,8 @@ class BadDecks(ProgramTest):
         return diagnostics(result.stderr)
 
     def the_error(self, deck, found):
-        """The one error of this deck, its particles or its mesh that holds the deck's fragment, with the lines below its
-        head."""
+        """The one error of this deck, its particles or its mesh that holds the deck's fragment, with the lines below
+        its head."""
         fragment = expected_fragment(deck)
         of_deck = [(head, below) for head, below in found if pathlib.Path(head["file"]).stem == deck.stem]
         told = [(head, below) for head, below in of_deck

@@ -7,10 +7,10 @@ from full_length import FULL
 from program import DECKS, ProgramTest
 
 COMMANDS = {"charts": "chart", "maps": "map", "studies": "sweep"}
-# What is copied by default: decks alone, with points, with a mesh, compared with another deck, in a folder, and studies of each
-# kind. Where they stand, all decks are read by other tests.
-SOME = ("ball-net", "coupled-bar", "cyl-200-tether-kept", "cylinder-file", "liquid-bowl-3d", "noise", "pendulum-40-two-way",
-        "piston-m1", "plate-hole", "sod-continuity", "paths/two-bar", "charts/cantilever", "charts/sod", "maps/step-place",
+# What is copied by default: decks alone, with points, with a mesh, compared with another deck, in a folder, and studies
+# of each kind. Where they stand, all decks are read by other tests.
+SOME = ("ball-net", "coupled-bar", "cyl-200-tether-kept", "cylinder-file", "liquid-bowl-3d", "noise",
+        "pendulum-40-two-way", "piston-m1", "plate-hole", "sod-continuity", "paths/two-bar", "charts/cantilever", "charts/sod", "maps/step-place",
         "studies/cost", "studies/stability")
 
 
