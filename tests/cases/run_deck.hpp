@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "results/results.hpp"
+#include "unit/full_length.hpp"
 
 namespace tether::cases {
+
+using test::at_full_length;
 
 /// A finished run of a deck of decks/, read from what it left.
 struct DeckRun {
