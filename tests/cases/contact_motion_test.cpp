@@ -175,7 +175,7 @@ TEST(Contact, StopsABodyAtANeedle) {
 /// steps, which are booked, and elements with next to no volume swell again.
 TEST(Contact, GoesOnByBackwardEulerWhereNothingElseLeadsOn) {
   // How flat an element becomes hangs on the last digits, which processors round their own way: one of these spins
-  // does.
+  // does, and the first, without it, takes several times as long as the others.
   DeckRun run;
   for (int k = 0; k < 12 && (k == 0 || run.summary.at("contact_euler_steps") == 0); ++k) {
     run = run_text(
@@ -187,7 +187,7 @@ TEST(Contact, GoesOnByBackwardEulerWhereNothingElseLeadsOn) {
         "vrx=.372,-.014,vry=.188,.848 $\n$mesh element='q2',cells(1,1)=6,2,cells(1,2)=4,2 $\n"
         "$fem law(1)=2*'neo-hookean',spin(3,1)=-1.319,spin(3,2)=2.632 $\n"
         "$contact wall(1)='left','right','bottom','top' $\n",
-        {"fem.spin(3,2)=" + std::to_string(2.632 + 1e-4 * k)});
+        {"fem.spin(3,2)=" + std::to_string(2.632 + 1e-4 * ((k + 1) % 12))});
   }
   EXPECT_GT(run.summary.at("contact_euler_steps"), 0);
   EXPECT_LT(run.summary.at("quality_least"), 1e-3);
