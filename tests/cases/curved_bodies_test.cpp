@@ -87,7 +87,8 @@ double in_a_box(Curved kind, int across, double nu) {
                  "$coupled density=.001,side(2)='open',side(4)='open',open_on(1)='left',open(1:2,1)=0.,.4 $\n");
 }
 
-/// The theory itself is off by up to 1.2 %, of the arch that hardly changes its volume.
+/// The theory itself is off by up to 1.2 %, of the arch that hardly changes its volume. In a flow, which takes longest,
+/// by default the ring has one of Poisson's ratios and the arch the other.
 TEST(CurvedBodies, BendAsTheoryOnAllPaths) {
   for (const Curved kind : {Curved::ring, Curved::arch}) {
     for (const double nu : {0.3, 0.49}) {
@@ -97,7 +98,10 @@ TEST(CurvedBodies, BendAsTheoryOnAllPaths) {
         EXPECT_NEAR(by_elements(kind, across, nu) / exact, 1, within) << across;
         EXPECT_NEAR(in_a_box(kind, across, nu) / exact, 1, within) << across;
       }
-      EXPECT_NEAR(in_a_flow(kind, 2, nu) / exact, 1, 0.02);
+      const bool in_turn = (kind == Curved::ring) == (nu < 0.4);
+      if (in_turn || at_full_length()) {
+        EXPECT_NEAR(in_a_flow(kind, 2, nu) / exact, 1, 0.02);
+      }
       EXPECT_NEAR(by_elements(kind, 1, nu) / exact, 1, 0.06);
     }
   }

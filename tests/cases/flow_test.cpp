@@ -71,8 +71,9 @@ TEST(Flow, CavityOfReynolds100) {
 }
 
 TEST(Flow, CavityOfReynolds1000) {
-  expect_cavity(run_deck("cavity", cavity("'q1q1'", 128, ".001", ".2")), -0.38857, -0.52708);
-  expect_cavity(run_deck("cavity", cavity("'q2q1'", 64, ".001", ".2")), -0.38857, -0.52708);
+  if (at_full_length()) expect_cavity(run_deck("cavity", cavity("'q1q1'", 128, ".001", ".2")), -0.38857, -0.52708);
+  const int cells = at_full_length() ? 64 : 40;
+  expect_cavity(run_deck("cavity", cavity("'q2q1'", cells, ".001", ".2")), -0.38857, -0.52708);
 }
 
 /// Cells finer at the walls, in the middle three times as long: a third of the errors of equal ones, or less.
