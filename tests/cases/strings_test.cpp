@@ -47,7 +47,11 @@ TEST(Pendulum, Forty) {
   EXPECT_EQ(run.summary.at("mass_drift"), 0);
 }
 
-TEST(Pendulum, ThreeHundredAndTwenty) { expect_within(run_deck("pendulum-320").summary.at("period"), 1.2120, 0.006); }
+/// Until it has swung once, or for longer.
+TEST(Pendulum, ThreeHundredAndTwenty) {
+  const DeckRun run = run_deck("pendulum-320", {at_full_length() ? "in.tmax=1.75" : "in.tmax=1.35"});
+  expect_within(run.summary.at("period"), 1.2120, 0.006);
+}
 
 // The thesis shows convergence; at 20 points the string is too short for its cell, and 80 points scatter about the
 // exact.
