@@ -29,16 +29,20 @@ constexpr std::array flows_and_steps{std::pair("grid", "linear"), std::pair("mes
                                      std::pair("mesh", "energy")};
 
 /// A body that a channel's flow carries is as fast as in short steps (1.547 where the fluid slips along it), and it
-/// does not run away: with the pressures of the step before it left at 7.5.
+/// does not run away: with the pressures of the step before it left at 7.5. Steps that keep the energy, of which each
+/// takes as long as five linear ones, are taken by default where the fluid slips, until t = .5.
 TEST(ViscousBox, CarriesABodyAsFastAsItFlows) {
   for (const auto& [flow, step] : flows_and_steps) {
     for (const auto& [slips, speed] : {std::pair(".true.", 1.547), std::pair(".false.", 1.47)}) {
+      const bool takes_long = step == std::string("energy") && slips == std::string(".false.");
+      if (takes_long && !at_full_length()) continue;
+      const double time = step == std::string("energy") && !at_full_length() ? 0.5 : 1;
       const DeckRun run = run_text(
           "carried",
-          fmt::format("$in nx=65, ny=17, xleft=0., xright=4., ybot=0., ytop=1., tmax=1., tstep=.05, "
+          fmt::format("$in nx=65, ny=17, xleft=0., xright=4., ybot=0., ytop=1., tmax={}, tstep=.05, "
                       "iout(33)=1, tiout(33)=.05 $\n{}$coupled density=1., viscosity=10., flow='{}', step='{}', "
                       "bodies_slip={}, side(2)='open', jet_on(1)='left', jet_speed(1)=1. $\n",
-                      body(0.6, 1, 1e5, 0), flow, step, slips));
+                      time, body(0.6, 1, 1e5, 0), flow, step, slips));
       const auto v = run.history.column("body_vx_1");
       EXPECT_NEAR(v.back(), speed, 0.03) << flow << step << slips;
       EXPECT_LT(*std::max_element(v.begin(), v.end()), 1.04 * speed) << flow << step << slips;
@@ -109,11 +113,11 @@ TEST(ViscousBox, AStreamThroughOpenSidesGoesOn) {
     for (const bool space : {false, true}) {
       const DeckRun run = run_text(
           "stream",
-          fmt::format("$in nx={0}, ny={0}, xleft=0., xright=1., ybot=0., ytop=1., tmax=.2, tstep=.01, iout(33)=1, "
-                      "tiout(33)=.1 $\n$coupled density=1., viscosity=.01, u0=1., v0=-.5, side(1:4)='open','open',"
+          fmt::format("$in nx={0}, ny={0}, xleft=0., xright=1., ybot=0., ytop=1., tmax={3}, tstep=.01, iout(33)=1, "
+                      "tiout(33)={3} $\n$coupled density=1., viscosity=.01, u0=1., v0=-.5, side(1:4)='open','open',"
                       "'open','open', flow='{1}'{2} $\n",
-                      space ? 9 : 41, flow,
-                      space ? ", nz=9, zback=0., zfront=1., side(5:6)='open','open', w0=.25" : ""));
+                      space ? 9 : 41, flow, space ? ", nz=9, zback=0., zfront=1., side(5:6)='open','open', w0=.25" : "",
+                      at_full_length() ? ".2" : ".05"));
       const double energy = 0.5 * (1.25 + (space ? 0.0625 : 0));
       EXPECT_NEAR(run.last("energy_fluid") / energy, 1, 1e-11) << flow << space;
       EXPECT_NEAR(run.last("energy_open"), 0, 1e-11) << flow << space;
