@@ -6,6 +6,7 @@
 
 #include "physics/box/projection.hpp"
 #include "unit/alone.hpp"
+#include "unit/full_length.hpp"
 #include "unit/physics/box/bodies_support.hpp"
 #include "unit/total.hpp"
 
@@ -221,11 +222,14 @@ TEST_P(Cut, ShellsDoNotLeak) {
 }
 
 /// From one side of the box to the other, through corners and along the middles of cells, some far thinner than a
-/// cell: no open faces lead from one side of the plate to the other. Neither at an obstacle.
+/// cell: no open faces lead from one side of the plate to the other. Neither at an obstacle. In space, where the plates
+/// of the plane are cut by more faces, by default the thinnest, a middling and the thickest.
 TEST_P(Cut, PlatesDoNotLeak) {
   const Box<3> floor{{0, 0, 0}, {1, 0.2, 1}};
+  std::vector<double> thicknesses{1e-4, 0.06, 0.15};
+  if (GetParam() == 2 || test::at_full_length()) thicknesses.insert(thicknesses.end(), {0.03, 0.1});
   for (const CouplingMode mode : {CouplingMode::symmetric, CouplingMode::cut_cell}) {
-    for (const double thickness : {1e-4, 0.03, 0.06, 0.1, 0.15}) {
+    for (const double thickness : thicknesses) {
       for (const double angle : {0.0, 0.2, 0.78539816339744831, 1.1}) {
         for (const double y : {0.5, 0.5625}) {
           for (const Box<3>* obstacle : {static_cast<const Box<3>*>(nullptr), &floor}) {

@@ -12,6 +12,7 @@
 #include "physics/box/liquid/parts.hpp"
 #include "physics/box/solver.hpp"
 #include "unit/alone.hpp"
+#include "unit/full_length.hpp"
 #include "unit/physics/box/plan_support.hpp"
 #include "unit/physics/box/support.hpp"
 
@@ -183,7 +184,9 @@ double speed_of_film(int cells_deep, double nu) {
 
 TEST(ViscousFilm, ComesToNusseltsProfileOnASlope) {
   EXPECT_NEAR(speed_of_film(4, 0.05), 1, 0.05);
-  for (const double nu : {0.05, 1e3}) EXPECT_NEAR(speed_of_film(8, nu), 1, 0.03);
+  std::vector<double> viscosities{1e3};
+  if (test::at_full_length()) viscosities.push_back(0.05);
+  for (const double nu : viscosities) EXPECT_NEAR(speed_of_film(8, nu), 1, 0.03);
 }
 
 }  // namespace
