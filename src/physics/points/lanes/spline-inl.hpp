@@ -222,8 +222,7 @@ class Forces {
   static HWY_INLINE Forces of(const Tile&, std::size_t) { return {}; }  // put() reads the tile
   HWY_INLINE void add(Tile& tile, std::size_t k, std::size_t sub, Places<D> at, const Pull<D>& of) const {
     store<D>(at.r, tile.r[k] + sub), store<D>(at.s, tile.s[k] + sub);
-    store<D>(of.xx, tile.pull_xx[k] + sub), store<D>(of.xy, tile.pull_xy[k] + sub);
-    store<D>(of.yy, tile.pull_yy[k] + sub);
+    store_pull<D, false>(of, tile, k, sub);
   }
   template <class Put>
   HWY_NOINLINE void put(const Tile& tile, const LaneGrid& grid, std::size_t sub, Put& putting) const {
