@@ -36,13 +36,23 @@ const CLI::App* find_command(const CLI::App& app, const std::string& name) {
 /// "--out" of "--out" and of "--out=DIR".
 std::string option_name(const std::string& word) { return word.substr(0, word.find('=')); }
 
-/// Returns whether some command, or a run, has an option of this name whose value is the next word.
-bool takes_next_word(const CLI::App& app, const std::string& word) {
+/// The first word that names a command.
+const CLI::App* command_among(const CLI::App& app, const std::vector<std::string>& words) {
+  for (const std::string& word : words) {
+    if (const CLI::App* command = find_command(app, word)) return command;
+  }
+  return nullptr;
+}
+
+/// Returns whether the value of an option is the next word: the command says so where it has such an option, else some
+/// command, or a run. `--log` of a run names a file, that of `plot` stands alone.
+bool takes_next_word(const CLI::App& app, const CLI::App* command, const std::string& word) {
   if (word.find('=') != std::string::npos) return false;
   const auto wants = [&word](const CLI::App& one) {
     const auto* option = one.get_option_no_throw(word);
     return option != nullptr && option->get_items_expected_max() > 0;
   };
+  if (command != nullptr && command->get_option_no_throw(word) != nullptr) return wants(*command);
   const auto all = app.get_subcommands([](const CLI::App*) { return true; });
   return wants(app) || std::any_of(all.begin(), all.end(), [&](const CLI::App* command) { return wants(*command); });
 }
@@ -63,6 +73,7 @@ struct Words {
 Words take_apart(const CLI::App& app, const std::vector<std::string>& words) {
   Words parts;
   bool options = true;
+  const CLI::App* command = command_among(app, words);
   for (std::size_t k = 0; k < words.size(); ++k) {
     const std::string& word = words[k];
     if (options && word == "--") {
@@ -70,7 +81,7 @@ Words take_apart(const CLI::App& app, const std::vector<std::string>& words) {
     } else if (options && word.size() > 1 && word[0] == '-') {
       parts.options.push_back(option_name(word));
       parts.others.push_back(word);
-      if (!takes_next_word(app, word)) continue;
+      if (!takes_next_word(app, command, word)) continue;
       if (k + 1 == words.size() || words[k + 1].starts_with("--")) refuse_without_value(word);
       parts.others.push_back(words[++k]);
     } else {

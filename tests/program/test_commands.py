@@ -100,6 +100,9 @@ class Talk(ProgramTest):
                             (("check", deck, "mpm.cfl=.5"), "Repeat --set for each value: --set mpm.cfl=.5"),
                             ((deck, "--restart"), "--restart is not followed by a value; nothing was run"),
                             ((deck, "--restart", "--quiet"), "--restart is not followed by a value; nothing was run"),
+                            (("plot", "nowhere", "--log"), "nowhere: is no folder"),  # there it has no value
+                            (("plot", "--log", "nowhere"), "nowhere: is no folder"),
+                            (("sweep", deck, "--log"), "--log is not followed by a value; nothing was run"),
                             ((deck, "--out"), "--out is not followed by a value; nothing was run"),
                             ((deck, "--out", ""), "--out: a folder is wanted"),
                             (("sweep", DECKS / "studies/stability.in", "--out", ""), "--out: a folder is wanted")):
