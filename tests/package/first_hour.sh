@@ -9,7 +9,7 @@ project=$(realpath "$(dirname "$0")/../..")
 
 readme_lines() {  # pattern; README's commands that have it, without what is said of them
   grep -E "^\(?(build|cd build|mpirun|\./quickstart).*$1" "$project/README.md" | sed 's/ *# .*//' ||
-    { echo "README has no command with $1"; exit 1; }
+    { echo "README has no command with $1" >&2; return 1; }
 }
 
 make_bare_system "$@"
@@ -27,7 +27,7 @@ in_bare_system apt-get install -q -y --no-install-recommends sudo > /dev/null
 echo "user ALL=(ALL) NOPASSWD: ALL" > "$root/etc/sudoers.d/user"
 as_user "cd tether; time ./quickstart; test -s out/sod/profiles.png"
 as_user "cd tether; ./quickstart" | grep "stay as they are"
-for what in "sweep decks/studies/sod-convergence" "plot .*--log" "film" "mpirun" "cpack"; do
+for what in "sweep decks/studies/sod-convergence" "plot .*--log" "film" "oversubscribe" "cpack"; do
   readme_lines "$what" | while read -r line; do as_user "cd tether; $line"; done
 done
 as_user "cd tether; ./quickstart install; cd ~; tether decks get sod; tether sod.in; tether plot out/sod"
