@@ -54,7 +54,7 @@ bool takes_next_word(const CLI::App& app, const CLI::App* command, const std::st
   };
   if (command != nullptr && command->get_option_no_throw(word) != nullptr) return wants(*command);
   const auto all = app.get_subcommands([](const CLI::App*) { return true; });
-  return wants(app) || std::any_of(all.begin(), all.end(), [&](const CLI::App* command) { return wants(*command); });
+  return wants(app) || std::any_of(all.begin(), all.end(), [&](const CLI::App* each) { return wants(*each); });
 }
 
 /// The deck that follows an option without its value must not be taken for that.

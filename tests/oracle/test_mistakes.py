@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The first error that is told stands where the mistake is: line and column of each of 500 seeded ones."""
+"""The first error that is reported stands where the mistake is: line and column of each of 500 seeded ones."""
 import collections
 import pathlib
 import sys

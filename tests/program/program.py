@@ -95,6 +95,14 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
+    @classmethod
+    def shared_by(cls, tests):
+        """One of this kind for what the tests of a class share: its folder stays until the last of them has ended."""
+        case = cls()
+        case.setUp()
+        tests.addClassCleanup(case.doCleanups)
+        return case
+
     def write(self, name, text):
         path = self.folder / name
         path.write_text(text)

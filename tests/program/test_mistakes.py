@@ -37,7 +37,7 @@ POINTS = """0.1
 
 
 class Mistakes(ProgramTest):
-    ASKED = ("plan", "check")  # beside the run itself
+    ASKED = ("plan", "check")  # next to the run itself
 
     def errors(self, deck, *words):
         """The errors that a deck is refused with, in order; all commands refuse it alike, and nothing is written."""

@@ -94,9 +94,7 @@ class Deaths(SweepTest):
     def setUpClass(cls):
         """The study and its table by one program, once for all tests."""
         super().setUpClass()
-        case = SweepTest()
-        case.setUp()
-        cls.addClassCleanup(case.doCleanups)
+        case = SweepTest.shared_by(cls)
         cls.slow = case.study("decks='../decks/sod.in', axis='fluid.gm1=.40,.41,.42,.43,.44,.45,.46,.47,.48,.49,.50,.51'\n"
                               f"set='in.tmax={cls.END}','in.nx=401','in.tstep=4.e-5', quantities='error_density'")
         case.sweep(cls.slow)

@@ -51,10 +51,7 @@ class Sod(ProgramTest):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        case = cls()
-        case.setUp()
-        cls.addClassCleanup(case.doCleanups)
-        cls.out = case.run_ok(DECKS / "sod.in")
+        cls.out = ProgramTest.shared_by(cls).run_ok(DECKS / "sod.in")
 
     def test_files(self):
         self.assertEqual(sorted(path.name for path in self.out.iterdir()),

@@ -29,9 +29,7 @@ class ParaView(ProgramTest):
     def setUpClass(cls):
         """All runs, and what ParaView, which takes seconds to start, reads of them."""
         super().setUpClass()
-        case = ProgramTest()
-        case.setUp()
-        cls.addClassCleanup(case.doCleanups)
+        case = ProgramTest.shared_by(cls)
         cls.out = {name: case.run_ok(DECKS / f"{deck}.in", *words, out=name) for name, (deck, words, _) in RUNS.items()}
         cls.found = by_paraview([cls.out[name] / f"{series}.pvd" for name, run in RUNS.items() for series in run[2]])
 

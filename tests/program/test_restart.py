@@ -45,10 +45,7 @@ class Restart(ProgramTest):
     def setUpClass(cls):
         """The long run that nothing stops, once for all tests."""
         super().setUpClass()
-        case = ProgramTest()
-        case.setUp()
-        cls.addClassCleanup(case.doCleanups)
-        cls.whole = case.run_ok(*LONG)
+        cls.whole = ProgramTest.shared_by(cls).run_ok(*LONG)
 
     def start_long(self, *options, out="out"):
         """Starts the long run; returns its process and folder."""
