@@ -31,6 +31,14 @@ std::string excerpt(const Diagnostic& diagnostic) {
                                      : fmt::format("  {}\n", diagnostic.line_text);
 }
 
+/// The text with a ? for each control character but tab and line end: one may steer a terminal, and what() of an error
+/// would end at a zero byte.
+std::string printable(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return (c < ' ' && c != '\t' && c != '\n') || c == 0x7f; }, '?');
+  return text;
+}
+
 std::string all_text(const std::vector<Diagnostic>& diagnostics) {
   std::string text;
   for (const auto& diagnostic : diagnostics) text += to_text(diagnostic);
@@ -53,7 +61,7 @@ std::string to_text(const Diagnostic& diagnostic) {
   std::string text = fmt::format("{}{}: {}\n", position(diagnostic.place), word, diagnostic.message);
   text = with_short_words(text) + excerpt(diagnostic);
   if (!diagnostic.hint.empty()) text += fmt::format("  {}\n", with_short_words(diagnostic.hint));
-  return text;
+  return printable(text);
 }
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)

@@ -32,26 +32,35 @@ class MapTest(SweepTest):
         return self.expect(code, "map", self.study(text), "--out", out or self.out, *options)
 
 
-class Maps(MapTest):
+class Borders(MapTest):
+    """A map of which the runs along the border alone are made."""
+
+    STUDY = GROWTH + PLACES + STEPS
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        case = MapTest.shared_by(cls)
+        cls.report = case.map(cls.STUDY, "--jobs", "4").stdout
+        cls.whole = case.out
+
     def test_the_border_is_that_of_all_runs(self):
-        report = self.map(GROWTH + PLACES + STEPS + THEORY).stdout
-        few = self.table("map")
-        self.map(GROWTH + PLACES + STEPS + "coarse=1\n", "--quiet", out=self.folder / "all")
-        full = rows_of(self.folder / "all/map.csv")
+        few = rows_of(self.whole / "map.csv")
+        self.map(self.STUDY + "coarse=1\n", "--quiet")
+        full = self.table("map")
         squares = 10 * len(LEFT)
         self.assertEqual(len(few), squares)
         self.assertEqual([row["holds"] for row in few], [row["holds"] for row in full])
         self.assertTrue(all(row["own_run"] == "1" for row in full))
-        runs = len(rows_of(self.out / "table.csv"))
+        runs = len(rows_of(self.whole / "table.csv"))
         self.assertEqual(sum(row["own_run"] == "1" for row in few), runs)
         self.assertLess(runs, 0.6 * squares)
-        self.assertIn(f"\n{runs} runs of {squares} ({100 * runs // squares} %)", report)
-        self.assertEqual(report, (self.out / "map.txt").read_text())
+        self.assertIn(f"\n{runs} runs of {squares} ({100 * runs // squares} %)", self.report)
+        self.assertEqual(self.report, (self.whole / "map.txt").read_text())
 
     def test_each_square_names_the_run_that_decided_it(self):
-        self.map(GROWTH + PLACES + STEPS, "--quiet")
-        runs = self.table()
-        for number, row in enumerate(self.table("map")):
+        runs = rows_of(self.whole / "table.csv")
+        for row in rows_of(self.whole / "map.csv"):
             by = runs[int(row["decided_by"]) - 1]
             self.assertEqual(by["verdict"], row["verdict"])
             self.assertEqual(row["holds"] == "1", row["verdict"] == "holds")
@@ -59,6 +68,20 @@ class Maps(MapTest):
                 self.assertEqual((by["in.xleft"], by["mpm.cfl"]), (row["in.xleft"], row["mpm.cfl"]))
         self.assertTrue({"holds", "grows"} < {row["verdict"] for row in runs})
 
+    def test_it_goes_on_where_it_was_stopped(self):
+        process = self.start("map", self.study(self.STUDY), "--out", self.out, "--jobs", "1")
+        wait_until(lambda: len(list(self.out.glob("runs/*/*/run.txt"))) >= 3, "the third run's record", process)
+        self.stop(process, signal.SIGINT)
+        self.assertTrue((self.out / "map.txt").read_text().startswith("NOT FINISHED"))
+        stopped = self.table("map")
+        self.assertTrue(all(row["own_run"] == "1" for row in stopped if row["verdict"] != "tells nothing"))
+        self.assertEqual(sum(row["own_run"] == "1" for row in stopped), len(self.table()))
+        self.map(self.STUDY, "--quiet", "--jobs", "1")
+        self.assertGreater(sum(row["reused"] == "1" for row in self.table()), 1)
+        self.assertEqual(*((out / "map.csv").read_text().replace(str(out.parent), "") for out in (self.out, self.whole)))
+
+
+class Maps(MapTest):
     def test_a_value_is_bisected_for_each_square_next_to_theory(self):
         report = self.map(GROWTH + PLACES + THEORY + "vary='mpm.cfl', low=.5, high=4., tolerance=2.e-3\n").stdout
         rows = self.table("map")
@@ -92,21 +115,6 @@ set='in.tstep=1.0', 'in.dtmax=1.0'
         self.assertIn("failure = contradicts its energy", (self.out / self.table()[1]["folder"] / "run.txt").read_text())
         self.map(text + "set(3)='limits.energy_step=0.,0.', 'limits.energy_growth=0.,0.', 'in.tmax=10.'\n", "--quiet")
         self.assertEqual(self.table("map")[1]["verdict"], "loses points")
-
-    def test_it_goes_on_where_it_was_stopped(self):
-        study = self.study(GROWTH + PLACES + STEPS)
-        process = self.start("map", study, "--out", self.out, "--jobs", "1")
-        wait_until(lambda: len(list(self.out.glob("runs/*/*/run.txt"))) >= 3, "the third run's record", process)
-        self.stop(process, signal.SIGINT)
-        self.assertTrue((self.out / "map.txt").read_text().startswith("NOT FINISHED"))
-        stopped = self.table("map")
-        self.assertTrue(all(row["own_run"] == "1" for row in stopped if row["verdict"] != "tells nothing"))
-        self.assertEqual(sum(row["own_run"] == "1" for row in stopped), len(self.table()))
-        self.map(GROWTH + PLACES + STEPS, "--quiet", "--jobs", "1")
-        self.assertGreater(sum(row["reused"] == "1" for row in self.table()), 1)
-        whole = (self.out / "map.csv").read_text()
-        self.map(GROWTH + PLACES + STEPS, "--quiet", "--jobs", "4", out=self.folder / "at-once")
-        self.assertEqual(whole, (self.folder / "at-once/map.csv").read_text())
 
     def test_decks_have_a_map_each(self):
         text = GROWTH.replace("decks='../decks/stability-centre.in'", "decks='../decks/stability-centre.in','../decks/stability-side.in'")

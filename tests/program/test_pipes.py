@@ -68,8 +68,8 @@ class Pipes(ProgramTest):
         return read and heeded and int(read[1]) > size and int(heeded[1], 16) >> number - 1 & 1
 
     def test_signals_end_the_reading_of_a_large_deck(self):
-        """Some seconds of reading, in which a signal comes."""
-        items = "".join(f" tiout(13)=0.{k:06d},\n" for k in range(1, 300_000))
+        """Seconds of reading, in which a signal comes."""
+        items = "".join(f" tiout(13)=0.{k:06d},\n" for k in range(1, 1_000_000))
         deck = self.write("large.in", f"large\n$in\n{items}$\n")
         for number in (signal.SIGTERM, signal.SIGINT):
             for words in ([], ["check"]):

@@ -38,6 +38,12 @@ TEST(DiagnosticText, LeavesOutWhatThePlaceDoesNotName) {
   EXPECT_EQ(to_text(at({}, "")), "error: what is wrong\n  what is right\n");
 }
 
+TEST(DiagnosticText, ControlCharactersAreQuestionMarks) {
+  using namespace std::string_literals;
+  EXPECT_EQ(to_text(at({"a\x1b[1m", 3, 5}, "nx=\0 \x7f\t\r"s)),
+            "a?[1m:3:5: error: what is wrong\n  nx=? ?\t?\n      ^\n  what is right\n");
+}
+
 TEST(DiagnosticText, WithoutAHintAndAsAWarning) {
   EXPECT_EQ(to_text({Severity::warning, {"a.in", 1, 2}, "xy", "slip", ""}), "a.in:1:2: warning: slip\n  xy\n   ^\n");
 }
