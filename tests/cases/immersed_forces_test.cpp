@@ -141,6 +141,32 @@ TEST(ImmersedForces, HoldLoadsOnBodiesOfAllElements) {
   }
 }
 
+/// A body that a support leads, ever faster, along a channel: the same along x as along y.
+TEST(ImmersedForces, AreAlikeAlongXAndY) {
+  const auto forces_along = [](const std::string& axis) {
+    const bool x = axis == "x";
+    const std::string across = x ? "y" : "x";
+    const std::string ends = x ? "'1.left','1.right'" : "'1.bottom','1.top'";
+    const DeckRun run = run_text(
+        "way-" + axis,
+        fmt::format(
+            "a body on its way\n$in nx=2,ny=2,xleft=0.,xright={0},ybot=0.,ytop={1},tmax=.4,tstep=.1,iout(33)=1,"
+            "tiout(33)=.1 $\n$reg nreg=2,nvi=4,4,densir=1.,1.,xvi(1,1)=0.,{0},{0},0.,yvi(1,1)=0.,0.,{1},{1},"
+            "matr(1,1)=.1,matr(1,2)=1.e4,.3,{2}vi(1,2)={4},{3}vi(1,2)={5} $\n"
+            "$mesh cells(1,1)={6},cells(1,2)=4,4 $\n$fem law='fluid','neo-hookean',fix_on='2.{7}',"
+            "fix(1:2,1)={8},fix_expression='.5*t^2' $\n$flow integrator='euler',tolerance=1e-10,boundary_on={9},"
+            "boundary=2*'open',force_on='body 1' $\n",
+            x ? 2 : 1, x ? 1 : 2, axis, across, x ? ".5,.7,.7,.5" : ".5,.5,.7,.7",
+            x ? ".41,.41,.61,.61" : ".41,.61,.61,.41", x ? "20,10" : "10,20", x ? "left" : "bottom",
+            x ? "1.,0." : "0.,1.", ends));
+    return run.history.column("body_force_" + axis + "_1");
+  };
+  const auto along_x = forces_along("x"), along_y = forces_along("y");
+  ASSERT_EQ(along_x.size(), along_y.size());
+  for (std::size_t k = 0; k < along_x.size(); ++k) EXPECT_NEAR(along_y[k], along_x[k], 1e-8) << k;
+  EXPECT_LT(along_x.back(), -0.5);
+}
+
 TEST(ImmersedForces, RoundWallBearsABodyThatIsClampedToIt) {
   double coarse = 0;
   for (const int n : {8, 16}) {

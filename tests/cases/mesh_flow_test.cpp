@@ -41,6 +41,20 @@ TEST(MeshFlowRuns, GoOnWhereTetGenFails) {
   EXPECT_LT(run.summary.at("energy_drift"), 1e-9);
 }
 
+/// A jet from the right is the mirror image of one from the left.
+TEST(MeshFlowRuns, JetsBlowAlikeFromBothEnds) {
+  const auto jet_from = [](const std::string& side, const std::string& open) {
+    return run_text("jet",
+                    "a jet\n$in nx=33,ny=17,xleft=0.,xright=2.,ybot=0.,ytop=1.,tmax=.5,tstep=.05,iout(33)=1,"
+                    "tiout(33)=.05 $\n$coupled density=1.,flow='mesh'," +
+                        open + "='open',jet_on(1)='" + side + "',jet(1:2,1)=.3,.7,jet_speed(1)=1. $\n");
+  };
+  const DeckRun right = jet_from("right", "side(1)"), left = jet_from("left", "side(2)");
+  for (const char* energy : {"energy_fluid", "energy_jets", "energy_open", "energy_advected"})
+    EXPECT_NEAR(right.last(energy), left.last(energy), 1e-10) << energy;
+  EXPECT_NEAR(right.last("momentum_x"), -left.last("momentum_x"), 1e-10);
+}
+
 /// A block on a spring in a channel swings at 1 Hz, and loses little.
 TEST(MeshFlowRuns, APistonSwings) {
   const DeckRun run = run_deck("coupled-piston", {"coupled.flow='mesh'", "coupled.size=.0625", "in.tmax=3."});

@@ -224,6 +224,10 @@ class Check(ProgramTest):
                     errors = [head for head, _ in diagnostics(result.stderr) if head["severity"] == "error"]
                     self.assertEqual({f"{head['line']}:{head['column']}" for head in errors}, places)
 
+    def test_of_several_decks_the_worst_says_how_the_command_ended(self):
+        wrong = self.write("wrong.in", THREE_MISTAKES)
+        self.expect(2, wrong, SOD, "--set", "in.tmax=.001", "--quiet", folder=self.folder)
+
 
 class Plan(ProgramTest):
     def parts(self, *words):

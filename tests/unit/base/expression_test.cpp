@@ -26,6 +26,7 @@ TEST(Expressions, AreComputedAsWritten) {
   EXPECT_DOUBLE_EQ(at("log(e) + log10(100) + exp(0)", 0), 4);
   EXPECT_DOUBLE_EQ(at("min(t, 2) + max(t, 2) + atan2(0, -1)", 5), 7 + std::numbers::pi);
   EXPECT_DOUBLE_EQ(at("sign(-t) + abs(-t) + floor(t)", 2.5), 3.5);
+  EXPECT_EQ(at("sign(t)", 0), 0);
   EXPECT_DOUBLE_EQ(at("tanh(t)/cosh(t)*sinh(t) + sqrt(t) - cos(t) + tan(t)", 0.5),
                    std::tanh(.5) / std::cosh(.5) * std::sinh(.5) + std::sqrt(.5) - std::cos(.5) + std::tan(.5));
 }

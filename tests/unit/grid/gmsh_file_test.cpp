@@ -157,6 +157,14 @@ TEST(GmshFile, RegionsAreGroupsByTagOrName) {
   }
 }
 
+/// Gmsh numbers groups of each dimension from 1, and their names may stand in any order.
+TEST(GmshFile, GroupsOfOtherDimensionsMayHaveTheSameTag) {
+  MadeFile file = two_squares();
+  file.elements[2].group = 1;
+  file.groups = {"2 1 \"plate\"", "1 1 \"left\""};
+  for (const auto& text : {file.version_22(), file.version_41()}) EXPECT_EQ(mesh_of(text).sides.count("left"), 1U);
+}
+
 /// Groups of points, and of curves in space, are sets of nodes; one that has the name of sides cannot be named.
 TEST(GmshFile, GroupsOfFewerDimensionsAreSetsOfNodes) {
   MadeFile file = two_squares();

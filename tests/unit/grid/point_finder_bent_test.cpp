@@ -44,6 +44,20 @@ Mesh bent_element(double by, std::mt19937& random) {
   }
 }
 
+/// One node that is not where a parallelogram has it is enough.
+TEST(PointFinder, FindsPlacesInElementsBentAtANode) {
+  std::mt19937 random(1);
+  for (std::size_t a = 0; a < 9; ++a) {
+    Mesh mesh = bent_element(0, random);
+    mesh.x[2 * a] += 0.1;
+    for (const Vec<2>& s : {Vec<2>{0.3, 0.4}, Vec<2>{-0.9, 0.7}, Vec<2>{0.5, -0.8}}) {
+      const auto found = PointFinder(mesh).find(place_in(mesh, 0, s));
+      ASSERT_TRUE(found);
+      EXPECT_LT(distance(found->s, s), 1e-12) << "node " << a;
+    }
+  }
+}
+
 TEST(PointFinder, FindsPlacesInElementsBentALittleAndMuch) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(-1, 1);

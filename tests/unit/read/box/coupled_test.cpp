@@ -185,6 +185,7 @@ TEST(CoupledScene, BoxesHoldSmokeAtTheStart) {
   EXPECT_EQ(c.smoke_boxes[0].temperature, -5);
   EXPECT_EQ(c.smoke_boxes[1].density, .5);  // thinner than a cell
   EXPECT_EQ(warnings_of(box("smoke_box(1,1)=0.,.5,0.,.5")), Texts{"smoke_box 1 holds neither smoke nor warmth"});
+  EXPECT_TRUE(box("smoke_box(1,1)=0.,.5,0.,.5,box_temperature(1)=5.").scene.coupled()->smoke);  // warmth alone
 }
 
 TEST(CoupledScene, WallsOfTheBoxHoldNoBody) {

@@ -107,6 +107,7 @@ TEST(RiemannReference, OfTwoGasesThatFillTheTube) {
   EXPECT_EQ(tube().errors(), Texts{});
   EXPECT_EQ(tube().scene.reference, ReferenceKind::riemann);
   EXPECT_EQ(tube({"reg.vrx(1)=.75", "in.wr=1", "in.wl=0"}).errors(), Texts{});
+  EXPECT_EQ(tube({"reg.xvi(1,1)=.5,1.,1.,.5", "reg.xvi(1,2)=0.,.5,.5,0."}).errors(), Texts{});  // the right one first
 }
 
 /// Each of these ran to its end with an error that was the solution's.

@@ -56,6 +56,7 @@ TEST(SlurmScript, HasNothingOfAUsersInWhatSbatchReads) {
   EXPECT_EQ(heading.find("a b"), std::string::npos);
   EXPECT_NE(heading.find("#SBATCH --array=1-2\n"), std::string::npos);
   EXPECT_NE(heading.find("#SBATCH --cpus-per-task=3\n"), std::string::npos);
+  EXPECT_NE(heading.find("#SBATCH --time=14\n"), std::string::npos);  // minutes: twice 100 s, and ten more
   EXPECT_NE(script.find("/bin/tether sweep 'a b'\\''c\n#SBATCH --uid=0\n$(date)' --part"), std::string::npos) << script;
 }
 
