@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Begins the test programs as main.cpp of src/ begins runs: memory that steps free is kept for the next ones, and CHOLMOD
-// starts no threads.
+// Begins the test programs as main.cpp of src/ begins runs: memory that steps free is kept for the next ones, and
+// CHOLMOD starts no threads.
 #include <gtest/gtest.h>
 #include <omp.h>
 
