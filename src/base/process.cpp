@@ -19,7 +19,6 @@
 #include "base/child.hpp"
 #include "base/diagnostics.hpp"
 #include "base/text.hpp"
-#include "base/version_values.hpp"
 
 namespace tether {
 
@@ -95,8 +94,5 @@ double peak_memory_mb() {
   getrusage(RUSAGE_SELF, &usage);
   return 1e-3 * static_cast<double>(usage.ru_maxrss);
 }
-
-std::string program_version() { return TETHER_VERSION; }
-std::string git_hash() { return TETHER_GIT_HASH; }
 
 }  // namespace tether
