@@ -14,6 +14,13 @@ def rows_of(path):
         return list(csv.DictReader(table))
 
 
+def rows_without_cost(path):
+    """A table without what differs from one making to the next; folders from that of the table on."""
+    drop = {*COST, "peak_memory_mb"}
+    return [{name: cell.removeprefix(f"{path.parent}/") for name, cell in row.items() if name not in drop}
+            for row in rows_of(path)]
+
+
 class SweepTest(ProgramTest):
     """Studies in FOLDER/studies on decks in FOLDER/decks."""
 

@@ -9,15 +9,8 @@ import unittest
 import mpi
 from full_length import FULL
 from program import DECKS, ROOT, TETHER
-from sweeps import SweepTest, rows_of
+from sweeps import SweepTest, rows_of, rows_without_cost
 from waiting import PATIENCE, wait_until
-
-
-def without_cost(path):
-    """A table without what differs from one making to the next; folders from that of the table on."""
-    drop = {"cpu_seconds", "wall_seconds", "reused", "peak_memory_mb"}
-    return [{name: cell.removeprefix(f"{path.parent}/") for name, cell in row.items() if name not in drop}
-            for row in rows_of(path)]
 
 
 class Equal(SweepTest):
@@ -33,7 +26,7 @@ class Equal(SweepTest):
 
     def same(self, folders, *names):
         for name in names:
-            alone, by_three = (without_cost(folder / name) for folder in folders)
+            alone, by_three = (rows_without_cost(folder / name) for folder in folders)
             self.assertGreater(len(alone), 0)
             self.assertEqual(alone, by_three)
 
@@ -98,7 +91,7 @@ class Deaths(SweepTest):
         cls.slow = case.study("decks='../decks/sod.in', axis='fluid.gm1=.40,.41,.42,.43,.44,.45,.46,.47,.48,.49,.50,.51'\n"
                               f"set='in.tmax={cls.END}','in.nx=401','in.tstep=4.e-5', quantities='error_density'")
         case.sweep(cls.slow)
-        cls.whole = without_cost(case.out / "table.csv")
+        cls.whole = rows_without_cost(case.out / "table.csv")
 
     def setUp(self):
         super().setUp()
@@ -117,7 +110,7 @@ class Deaths(SweepTest):
         return process.returncode, before
 
     def is_whole(self):
-        self.assertEqual(without_cost(self.out / "table.csv"), self.whole)
+        self.assertEqual(rows_without_cost(self.out / "table.csv"), self.whole)
 
     def test_a_program_that_does_runs(self):
         code, before = self.killed(lambda: mpi.served_by(mpi.carriers()[2]))

@@ -8,7 +8,7 @@ import unittest
 import mpi
 from full_length import FULL
 from program import DECKS, TETHER, records
-from sweeps import SweepTest, rows_of
+from sweeps import SweepTest, rows_of, rows_without_cost
 from waiting import PATIENCE, wait_until
 
 STUDIES = {
@@ -30,12 +30,6 @@ STUDIES = {
 ODD = "odd 'name' \"$(hostname)\" `date`"
 
 
-def without_cost(path):
-    drop = {"cpu_seconds", "wall_seconds", "reused", "peak_memory_mb"}
-    return [{name: cell.removeprefix(f"{path.parent}/") for name, cell in row.items() if name not in drop}
-            for row in rows_of(path)]
-
-
 class Parts(SweepTest):
     def commands(self, *words):
         return self.expect(0, *words, "--list").stdout.splitlines()
@@ -45,7 +39,7 @@ class Parts(SweepTest):
 
     def same(self, alone, parts, tables):
         for name in tables:
-            rows = [without_cost(folder / f"{name}.csv") for folder in (alone, parts)]
+            rows = [rows_without_cost(folder / f"{name}.csv") for folder in (alone, parts)]
             self.assertGreater(len(rows[0]), 0)
             self.assertEqual(*rows)
 
@@ -96,13 +90,13 @@ class Parts(SweepTest):
     def test_many_may_collect_at_once(self):
         study = self.study(STUDIES["a grid with runs that fail"][1])
         self.sweep(study)
-        before = without_cost(self.out / "table.csv")
+        before = rows_without_cost(self.out / "table.csv")
         words = [TETHER, "sweep", str(study), "--out", str(self.out), "--collect", "--quiet"]
         for _ in range(5 if FULL else 2):
             (self.out / "runs/index.txt").unlink(missing_ok=True)
             all_at_once = [subprocess.Popen(words, stdin=subprocess.DEVNULL) for _ in range(8)]
             self.assertEqual([process.wait(timeout=PATIENCE) for process in all_at_once], [0] * 8)
-            self.assertEqual(without_cost(self.out / "table.csv"), before)
+            self.assertEqual(rows_without_cost(self.out / "table.csv"), before)
 
     def test_parts_share_a_folder_and_a_whole_sweep_does_not(self):
         study = self.study("decks='../decks/sod.in', axis='fluid.gm1=.4,.41', quantities='dx'\n"
@@ -169,7 +163,7 @@ class Scripts(SweepTest):
         self.assertEqual(self.by_bash(out).returncode, 0)
         self.assertIn("exit code 0", (out / "slurm/1.log").read_text())
         self.expect(0, "sweep", study, "--out", out, "--collect", "--quiet")
-        self.assertEqual(without_cost(out / "table.csv"), without_cost(self.folder / "alone/table.csv"))
+        self.assertEqual(rows_without_cost(out / "table.csv"), rows_without_cost(self.folder / "alone/table.csv"))
 
     def test_run_a_deck(self):
         deck = DECKS / "sod.in"

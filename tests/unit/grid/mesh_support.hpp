@@ -18,6 +18,15 @@ inline Mesh meshed(const std::vector<Block>& blocks, ElementKind kind) {
   return mesh;
 }
 
+/// From x = left to right, y = 0 to 1 and, unless it is flat, z = 0 to z_high; 2 x 3 x 2 cells.
+inline Block block_between(double left, double right, double z_high = 0) {
+  Block block;
+  const std::array<Vec<2>, 4> corners{{{left, 0}, {right, 0}, {right, 1}, {left, 1}}};
+  for (std::size_t k = 0; k < 4; ++k) block.edges[k] = straight(corners[k], corners[(k + 1) % 4]);
+  block.cells = {2, 3, 2}, block.z_high = z_high;
+  return block;
+}
+
 inline double volume(const Mesh& mesh) {
   return with_shapes(mesh.kind, [&](auto shapes) {
     using Shapes = decltype(shapes);

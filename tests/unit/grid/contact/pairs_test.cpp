@@ -3,30 +3,16 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <vector>
 
-#include "base/numbers.hpp"
-#include "grid/block_mesh.hpp"
+#include "unit/grid/mesh_support.hpp"
 
 namespace tether {
 namespace {
 
-/// Two squares with a gap of 0.1 between them.
-Mesh two_squares() {
-  std::vector<Block> blocks(2);
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double left = 1.1 * static_cast<double>(k);
-    const std::array<Vec<2>, 4> corners{{{left, 0}, {left + 1, 0}, {left + 1, 1}, {left, 1}}};
-    for (std::size_t c = 0; c < 4; ++c) blocks[k].edges[c] = straight(corners[c], corners[(c + 1) % 4]);
-    blocks[k].cells = {2, 3, 2};
-  }
-  std::vector<MeshFlaw> flaws;
-  return mesh_of_blocks(blocks, ElementKind::quad4, flaws);
-}
-
 /// Two bodies press each other from both sides, so that each counts by half; an obstacle presses back alone.
 TEST(ContactPairs, OfTwoBodiesCountByHalf) {
-  const Mesh mesh = two_squares();
+  const Mesh mesh = meshed({block_between(0, 1), block_between(1.1, 2.1)}, ElementKind::quad4);
   const ContactSurface surface = contact_surface(mesh, {}, {{{2.2, 0, 0}, {3, 1, 1}}});
   std::vector<double> x(surface.places.size() * 2, 0.0);
   surface.places.find(mesh.x, x);

@@ -7,21 +7,14 @@
 #include <vector>
 
 #include "base/numbers.hpp"
-#include "grid/block_mesh.hpp"
 #include "grid/contact/apart.hpp"
 #include "grid/solid_surface.hpp"
+#include "unit/grid/mesh_support.hpp"
 
 namespace tether {
 namespace {
 
-Mesh block(ElementKind kind, double left = 0, double right = 1) {
-  Block one;
-  const std::array<Vec<2>, 4> corners{{{left, 0}, {right, 0}, {right, 1}, {left, 1}}};
-  for (std::size_t k = 0; k < 4; ++k) one.edges[k] = straight(corners[k], corners[(k + 1) % 4]);
-  one.cells = {2, 3, 2}, one.z_high = dimension_of(kind) == 3 ? 1 : 0;
-  std::vector<MeshFlaw> flaws;
-  return mesh_of_blocks({one}, kind, flaws);
-}
+Mesh block(ElementKind kind) { return meshed({block_between(0, 1, dimension_of(kind) == 3 ? 1 : 0)}, kind); }
 
 constexpr std::array kinds{ElementKind::quad4, ElementKind::quad9, ElementKind::tri3, ElementKind::tri6,
                            ElementKind::hex8,  ElementKind::hex27, ElementKind::tet4, ElementKind::tet10};

@@ -50,7 +50,8 @@ TEST(SlurmJobs, AreNoMoreThanAnArrayTakes) {
 
 TEST(SlurmScript, HasNothingOfAUsersInWhatSbatchReads) {
   const std::string odd = "a b'c\n#SBATCH --uid=0\n$(date)";
-  const Work work{.folder = "/tmp/" + odd, .here = "/home/" + odd, .command = {"/bin/tether", "sweep", odd}, .cpus = 3};
+  const Work work{
+      .folder = "/shared/" + odd, .here = "/decks/" + odd, .command = {"/bin/tether", "sweep", odd}, .cpus = 3};
   const std::string script = script_of(work, jobs_of(parts_of(2, 100)));
   const std::string heading = script.substr(0, script.find("parts=("));
   EXPECT_EQ(heading.find("a b"), std::string::npos);
