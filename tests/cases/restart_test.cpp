@@ -34,9 +34,10 @@ struct Length {
   double most_seconds;      ///< that the plan expects of it
   double fewest_steps;      ///< however long they take
   std::vector<int> threads_of_parts;
+  int threads_at_the_end;
 };
 const Length& length() {
-  static const Length whole{2e6, 2, 20, {2, 3, 8, 1, 2}}, by_default{5e5, 0.5, 5, {2, 3}};
+  static const Length whole{2e6, 2, 20, {2, 3, 8, 1, 2}, 3}, by_default{5e5, 0.5, 5, {1, 2}, 1};
   return test::at_full_length() ? whole : by_default;
 }
 
@@ -131,7 +132,7 @@ class Restart : public testing::TestWithParam<Case> {
     const Loaded deck = with_outputs(tmax_);
     RunRequest request = request_of(deck, folder_ / "parts", "");
     request.restart = from;
-    request.threads = 3;
+    request.threads = length().threads_at_the_end;
     run(deck.plan, request);
   }
   /// Random times in order, the last at least a step before the end.

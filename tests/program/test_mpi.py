@@ -187,6 +187,17 @@ class Refusals(SweepTest):
         self.assertEqual(result.stderr.count("a single run shares its work among --threads"), 1)
         self.assertFalse(self.out.exists())
 
+    def test_a_single_run_whose_first_program_comes_last(self):
+        """mpirun ends all programs once one has failed: the others must not fail before the first has said why."""
+        others_ended = self.folder / "others-ended"
+        os.mkfifo(others_ended)
+        deck = DECKS / "sod.in"
+        result = self.two(("sh", "-c", f"read _ < '{others_ended}'; exec '{TETHER}' '{deck}'"),
+                          ("sh", "-c", f"'{TETHER}' '{deck}'; code=$?; echo > '{others_ended}'; exit $code"),
+                          OMPI_MCA_odls_base_sigkill_timeout="0")
+        self.assertEqual(result.returncode, 2, result.stderr)
+        self.assertEqual(result.stderr.count("a single run shares its work among --threads"), 1)
+
     def test_a_machine_that_does_not_see_the_folder(self):
         """Another folder of work stands for another machine."""
         elsewhere = self.folder / "elsewhere"
@@ -198,10 +209,10 @@ class Refusals(SweepTest):
         self.assertIn(str(elsewhere / "here"), result.stderr)
         self.assertEqual(list(elsewhere.iterdir()), [])
 
-    def two(self, first, second):
-        """A command of two programs, each with words of its own in front of it."""
+    def two(self, first, second, **settings):
+        """A command of two programs, each with words of its own in front of it, by these settings of mpirun's."""
         command = [*mpi.MPIRUN, "-n", "1", *map(str, first), ":", "-n", "1", *map(str, second)]
-        return mpi.subprocess.run(command, env=mpi.ENVIRONMENT, capture_output=True, text=True, timeout=PATIENCE)
+        return mpi.subprocess.run(command, env=mpi.ENVIRONMENT | settings, capture_output=True, text=True, timeout=PATIENCE)
 
     def test_programs_with_other_words(self):
         other = self.study("decks='../decks/stability-side.in', quantities='steps','dx'", "studies/other.in")

@@ -223,11 +223,11 @@ TEST_P(Cut, ShellsDoNotLeak) {
 
 /// From one side of the box to the other, through corners and along the middles of cells, some far thinner than a
 /// cell: no open faces lead from one side of the plate to the other. Neither at an obstacle. In space, where the plates
-/// of the plane are cut by more faces, by default the thinnest, a middling and the thickest.
+/// of the plane are cut by more faces, by default the thinnest and the thickest.
 TEST_P(Cut, PlatesDoNotLeak) {
   const Box<3> floor{{0, 0, 0}, {1, 0.2, 1}};
-  std::vector<double> thicknesses{1e-4, 0.06, 0.15};
-  if (GetParam() == 2 || test::at_full_length()) thicknesses.insert(thicknesses.end(), {0.03, 0.1});
+  std::vector<double> thicknesses{1e-4, 0.15};
+  if (GetParam() == 2 || test::at_full_length()) thicknesses.insert(thicknesses.end(), {0.03, 0.06, 0.1});
   for (const CouplingMode mode : {CouplingMode::symmetric, CouplingMode::cut_cell}) {
     for (const double thickness : thicknesses) {
       for (const double angle : {0.0, 0.2, 0.78539816339744831, 1.1}) {

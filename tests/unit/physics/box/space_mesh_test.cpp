@@ -224,8 +224,9 @@ TEST(SpaceMesh, CellsAtBodiesAreSmallWhateverTheirElementsAre) {
 
 /// Bodies that are apart or touch have a mesh about them; of those that cross it is said where.
 TEST(SpaceMesh, BodiesThatTouchHaveAMeshAboutThem) {
-  int made = 0;
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  const unsigned count = test::at_full_length() ? 200 : 60;
+  unsigned made = 0;
+  for (unsigned seed = 1; seed <= count; ++seed) {
     const Values at = support::random_numbers(6, seed);
     const double angle = seed % 4 == 0 ? 0 : 2 * at[3], width = 0.2 + 0.05 * at[2];
     const Vec<3> middle{0.5 + 0.15 * at[0], 0.5 + 0.15 * at[1], 0.5 + 0.1 * at[4]};
@@ -245,7 +246,7 @@ TEST(SpaceMesh, BodiesThatTouchHaveAMeshAboutThem) {
       EXPECT_NE(std::string(error.what()).find("near ("), std::string::npos);
     }
   }
-  EXPECT_GE(made, 195);
+  EXPECT_GE(made, count - count / 40);
 }
 
 }  // namespace
