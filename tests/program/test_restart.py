@@ -17,7 +17,7 @@ from full_length import FULL
 from program import DECKS, ProgramTest, history, netcdf, records, sets
 from waiting import wait_until
 
-KILLS = 50 if FULL else 12
+KILLS = 50 if FULL else 8
 
 # A run of some seconds, with 1430 records and 71 snapshots, or of the half.
 LONG = (DECKS / "sod.in", *sets(**{"in__nx": 201, "in__tstep": 5e-6, "in__iout(33)": 1, "in__tiout(33)": 1e-4,
