@@ -29,8 +29,8 @@ constexpr std::array flows_and_steps{std::pair("grid", "linear"), std::pair("mes
                                      std::pair("mesh", "energy")};
 
 /// A body that a channel's flow carries is as fast as in short steps (1.547 where the fluid slips along it), and it
-/// does not run away: with the pressures of the step before it left at 7.5. By default until t = .5, and steps that keep
-/// the energy, of which each takes as long as five linear ones, where the fluid slips.
+/// does not run away: with the pressures of the step before it left at 7.5. By default until t = .5, and steps that
+/// keep the energy, of which each takes as long as five linear ones, where the fluid slips.
 TEST(ViscousBox, CarriesABodyAsFastAsItFlows) {
   for (const auto& [flow, step] : flows_and_steps) {
     for (const auto& [slips, speed] : {std::pair(".true.", 1.547), std::pair(".false.", 1.47)}) {
