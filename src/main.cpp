@@ -82,8 +82,8 @@ int refuse_nothing(const CLI::App& app) {
                   command_names(app)));
 }
 
-/// A single run takes threads, not programs; the first program says it. The others do not fail: mpirun ends all programs as
-/// soon as one has, maybe before the first has spoken.
+/// A single run takes threads, not programs; the first program says it. The others do not fail: mpirun ends all
+/// programs as soon as one has, maybe before the first has spoken.
 int refuse_to_split(const Launch& launch) {
   if (launch.rank > 0) return exit_done;
   return refuse(fmt::format(
