@@ -50,7 +50,6 @@ MODELS = {
 ONLY_AT_FULL_LENGTH = {"a light block in water is not", "a membrane in thin air", "a pendulum of points, by elements"}
 
 
-
 def is_left_out(part, said):
     """Runs with little viscosity and with none take about the same, and what costs more without it is kept."""
     return (f"left out: {part}" in said or

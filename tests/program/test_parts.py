@@ -180,9 +180,10 @@ class Scripts(SweepTest):
         moved.parent.mkdir()
         script.rename(moved)
         script.parent.rmdir()
-        result = self.by_bash(self.folder)
+        result = self.by_bash(self.folder, TMPDIR=str(self.folder))
         self.assertEqual(result.returncode, 4)
-        self.assertIn("does not see the folder of the results", result.stdout)
+        (left,) = self.folder.glob("tether-7.*")
+        self.assertIn("does not see the folder of the results", left.read_text())
 
     def test_no_slurm(self):
         study = self.study(STUDIES["a chart"][1])

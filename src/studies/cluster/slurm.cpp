@@ -33,25 +33,26 @@ long long megabytes_for(double megabytes) { return static_cast<long long>(std::c
 /// What sbatch reads, in which nothing stands that a user has named.
 std::string heading(int cpus, double seconds, double megabytes, const std::string& more) {
   return fmt::format(
-      "#!/bin/bash\n#SBATCH --job-name=tether\n{}#SBATCH --cpus-per-task={}\n#SBATCH --time={}\n#SBATCH --mem={}M\n"
-      "#SBATCH --signal=B:TERM@{}\n#SBATCH --requeue\n#SBATCH --open-mode=append\n",
+      "#!/bin/bash\n#SBATCH --job-name=tether\n#SBATCH --output=/dev/null\n{}"
+      "#SBATCH --cpus-per-task={}\n#SBATCH --time={}\n#SBATCH --mem={}M\n"
+      "#SBATCH --signal=B:TERM@{}\n#SBATCH --requeue\n",
       more, cpus, minutes_for(seconds), megabytes_for(megabytes), seconds_for_the_checkpoint);
 }
 
 /// The rest of a script. What the job says goes to a log in the results' folder; a machine that does not see it leaves
-/// its word in its own /tmp and with Slurm. `wait` ends when the signal comes, and the run some time after that. A job
-/// whose time is about to end still runs by Slurm's own word; one that a user has cancelled does not, and stays so.
+/// its word with Slurm and in a temporary file of its own. `wait` ends when the signal comes, and the run some time
+/// after that. A job whose time is about to end still runs by Slurm's own word; one that a user has cancelled does not,
+/// and stays so.
 std::string body(const Work& work, const std::string& log, const std::string& job, const std::string& command) {
   const std::string folder = shell_word((work.folder / "slurm").string());
   return fmt::format(R"sh(
 if ! cd {here} || ! [ -w {folder} ]; then
   why="$(hostname) does not see the folder of the results: use one that all machines share, or leave this one out by --exclude"
-  echo "$why"
+  echo "$why" > "$(mktemp --tmpdir tether-"$SLURM_JOB_ID".XXXXXX)"
   scontrol update JobId="{job}" Comment="$why"
   exit 4
 fi
 exec >> {folder}/{log} 2>&1
-rm -f /tmp/tether-"$SLURM_JOB_ID".out
 echo "$(date '+%F %T') job $SLURM_JOB_ID on $(hostname)"
 run=
 trap '[ -n "$run" ] && kill -TERM "$run"' TERM
@@ -124,7 +125,7 @@ std::string script_of(const Work& work, const std::vector<Job>& jobs) {
     seconds = std::max(seconds, job.seconds), megabytes = std::max(megabytes, job.megabytes);
     parts.push_back(part_text(job.parts));
   }
-  const std::string array = fmt::format("#SBATCH --array=1-{}\n#SBATCH --output=/tmp/tether-%j.out\n", jobs.size());
+  const std::string array = fmt::format("#SBATCH --array=1-{}\n", jobs.size());
   const std::string command = shell_command(work.command) + " --part \"${parts[SLURM_ARRAY_TASK_ID - 1]}\"";
   return heading(work.cpus, seconds, megabytes, array) +
          fmt::format(
@@ -135,8 +136,8 @@ std::string script_of(const Work& work, const std::vector<Job>& jobs) {
 }
 
 std::string script_of(const Work& work, const Cost& cost) {
-  return heading(work.cpus, cost.seconds, cost.megabytes, "#SBATCH --output=/tmp/tether-%j.out\n") +
-         "# A run by tether.\n" + body(work, "job.log", "$SLURM_JOB_ID", shell_command(work.command));
+  return heading(work.cpus, cost.seconds, cost.megabytes, "") + "# A run by tether.\n" +
+         body(work, "job.log", "$SLURM_JOB_ID", shell_command(work.command));
 }
 
 void refuse_no_slurm() {
