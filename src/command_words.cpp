@@ -36,14 +36,6 @@ const CLI::App* find_command(const CLI::App& app, const std::string& name) {
 /// "--out" of "--out" and of "--out=DIR".
 std::string option_name(const std::string& word) { return word.substr(0, word.find('=')); }
 
-/// The first word that names a command.
-const CLI::App* command_among(const CLI::App& app, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    if (const CLI::App* command = find_command(app, word)) return command;
-  }
-  return nullptr;
-}
-
 /// Returns whether the value of an option is the next word: the command says so where it has such an option, else some
 /// command, or a run. `--log` of a run names a file, that of `plot` stands alone.
 bool takes_next_word(const CLI::App& app, const CLI::App* command, const std::string& word) {
@@ -55,6 +47,17 @@ bool takes_next_word(const CLI::App& app, const CLI::App* command, const std::st
   if (command != nullptr && command->get_option_no_throw(word) != nullptr) return wants(*command);
   const auto all = app.get_subcommands([](const CLI::App*) { return true; });
   return wants(app) || std::any_of(all.begin(), all.end(), [&](const CLI::App* each) { return wants(*each); });
+}
+
+bool is_option(const std::string& word) { return word.size() > 1 && word[0] == '-'; }
+
+/// The first word that is neither an option nor an option's value, where it names a command.
+const CLI::App* command_among(const CLI::App& app, const std::vector<std::string>& words) {
+  for (std::size_t k = 0; k < words.size(); ++k) {
+    if (!is_option(words[k])) return find_command(app, words[k]);
+    if (takes_next_word(app, nullptr, words[k])) ++k;
+  }
+  return nullptr;
 }
 
 /// The deck that follows an option without its value must not be taken for that.
@@ -78,7 +81,7 @@ Words take_apart(const CLI::App& app, const std::vector<std::string>& words) {
     const std::string& word = words[k];
     if (options && word == "--") {
       options = false;
-    } else if (options && word.size() > 1 && word[0] == '-') {
+    } else if (options && is_option(word)) {
       parts.options.push_back(option_name(word));
       parts.others.push_back(word);
       if (!takes_next_word(app, command, word)) continue;

@@ -88,6 +88,13 @@ class Talk(ProgramTest):
         self.assertIn("tmax = 0.002\n", text)
         self.assertIn("gravc = 1.0\n", text)
 
+    def test_a_value_that_reads_like_a_command_is_none(self):
+        stop = ("--set", "in.tmax=0.002", "--quiet")
+        for words in (("--log", "run.log", "--out", "plot"), ("--out", "check", "--log", "sweep")):
+            self.expect(0, DECKS / "sod.in", *words, *stop, folder=self.folder)
+            self.expect(0, *words, *stop, DECKS / "sod.in", folder=self.folder)
+        self.assertEqual({path.name for path in self.folder.iterdir()}, {"run.log", "plot", "check", "sweep"})
+
     def test_wrong_words_are_told_what_would_be_right(self):
         deck = DECKS / "stability-side.in"
         for words, told in (((), "a deck or a command is missing"), (("plan",), "tether plan: error: deck is required"),
