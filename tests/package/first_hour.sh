@@ -25,7 +25,8 @@ grep -q "apt-get install .*libeigen3-dev" "$root/refused"
 
 in_bare_system apt-get install -q -y --no-install-recommends sudo > /dev/null
 echo "user ALL=(ALL) NOPASSWD: ALL" > "$root/etc/sudoers.d/user"
-as_user "cd tether; time ./quickstart; test -s out/sod/profiles.png"
+as_user "cd tether; time ./quickstart; test -s out/sod/profiles.png" 2>&1 | tee "$root/said"
+grep -q "^building [1-9][0-9]* units: about [1-9][0-9]* minutes" "$root/said"
 as_user "cd tether; ./quickstart" | grep "stay as they are"
 for what in "sweep decks/studies/sod-convergence" "plot .*--log" "film" "oversubscribe" "cpack"; do
   readme_lines "$what" | while read -r line; do as_user "cd tether; $line"; done
