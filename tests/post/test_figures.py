@@ -5,7 +5,6 @@ import dataclasses
 import os
 import shutil
 import sys
-import time
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -197,8 +196,8 @@ class Made(FigureTest):
     def test_and_again_when_deck_or_points_are_newer(self):
         for source in (self.deck, self.here / "particles" / "stability-side.par"):
             before = self.made()[1]
-            later = time.time() + 1
-            os.utime(source, (later, later))
+            later = before + 1_000_000_000
+            os.utime(source, ns=(later, later))
             self.assertGreater(self.made()[1], before, source.name)
             os.utime(source, (0, 0))
 

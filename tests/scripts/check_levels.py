@@ -12,7 +12,7 @@ import subprocess
 import sys
 
 KEPT_FROM = "Linker script and memory map"
-SECTION = re.compile(r"^ \.text\.(\S+)\s+0x[0-9a-f]+\s+0x[0-9a-f]+ (\S+)$", re.MULTILINE)
+SECTION = re.compile(r"^ \.text\.(\S+)\s+0x[0-9a-f]+\s+0x[0-9a-f]+ (.+)$", re.MULTILINE)
 JUDGED = ("5Eigen", "6tether")  # as names of functions have them
 WEAK = re.compile(r"^[0-9a-f]+ [WVu] (\S+)$", re.MULTILINE)
 

@@ -13,7 +13,7 @@ SHARED = "namespace tether { template <class T> [[gnu::noinline]] T twice(T x) {
 
 class LevelsCheck(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(prefix="names with spaces ")
         self.addCleanup(self.folder.cleanup)
         self.compiled("main", "int hot(int); int cold(int); int main() { return hot(1) + cold(2); }", "-O1")
         self.archive("hot", SHARED + "int hot(int x) { return twice(x); }", "-O3")
@@ -31,7 +31,8 @@ class LevelsCheck(unittest.TestCase):
         self.run_here("ar", "rcs", f"lib{name}.a", f"{name}.o")
 
     def check_of(self, *linked):
-        self.run_here("g++", "-o", "program", "main.o", *linked, "-Wl,-Map=program.map")
+        paths = [pathlib.Path(self.folder.name, name) for name in linked]
+        self.run_here("g++", "-o", "program", "main.o", *paths, "-Wl,-Map=program.map")
         return subprocess.run([sys.executable, CHECK, "program.map", "libhot.a"], cwd=self.folder.name,
                               capture_output=True, text=True)
 

@@ -8,8 +8,7 @@
 namespace tether::contact {
 
 /// The forces of one pair between the vectors r0 at a step's start and r1 at its end, whose squared distances are s0
-/// and s1 [length2]. The source has
-/// those of corners and edges in the plane, and of all kinds in space.
+/// and s1 [length2]. The source has those of corners and edges in the plane, and of all kinds in space.
 template <PairKind kind, int dim>
 PairForce<dim, vector_count(kind)> pair_force(const PairRule& rule, const PairScale& scale,
                                               const PairVectors<dim, vector_count(kind)>& r0,

@@ -35,7 +35,7 @@ void ElementsOfShape<dim>::find_forces(const Step& step, std::size_t e, std::spa
 }
 
 /// Calls compute(e, numbers) for each element, then add(e, numbers) in their order. The numbers, `count` of each
-/// element, keep their place from one to the next, so that only the first ones allocate.
+/// element, keep their place from one to the next, so that only the first ones of a call allocate.
 template <int dim>
 template <class Compute, class Add>
 void ElementsOfShape<dim>::add_elements(std::size_t count, const Compute& compute, const Add& add) const {
