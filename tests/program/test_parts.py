@@ -182,7 +182,7 @@ class Scripts(SweepTest):
         script.parent.rmdir()
         result = self.by_bash(self.folder, TMPDIR=str(self.folder))
         self.assertEqual(result.returncode, 4)
-        (left,) = self.folder.glob("tether-7.*")
+        (left,) = self.folder.glob("*.tether-7")
         self.assertIn("does not see the folder of the results", left.read_text())
 
     def test_no_slurm(self):

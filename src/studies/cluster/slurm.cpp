@@ -48,7 +48,7 @@ std::string body(const Work& work, const std::string& log, const std::string& jo
   return fmt::format(R"sh(
 if ! cd {here} || ! [ -w {folder} ]; then
   why="$(hostname) does not see the folder of the results: use one that all machines share, or leave this one out by --exclude"
-  echo "$why" > "$(mktemp --tmpdir tether-"$SLURM_JOB_ID".XXXXXX)"
+  echo "$why" > "$(mktemp --suffix=.tether-"$SLURM_JOB_ID")"
   scontrol update JobId="{job}" Comment="$why"
   exit 4
 fi
